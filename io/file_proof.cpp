@@ -11,23 +11,23 @@
 #include "io/mpas/mpas_graph.hpp"
 #include "io/tiles/site_notes.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/proof/generated_tile.hpp"
-#include "mesher/proof/site_labels.hpp"
-#include "mesher/tile/round_tile.hpp"
-#include "mesher/tile/site_positions.hpp"
-#include "mesher/tile/tile_equality.hpp"
+#include "mesher/plane/proof/generated_tile.hpp"
+#include "mesher/plane/proof/site_labels.hpp"
+#include "mesher/plane/tile/round_tile.hpp"
+#include "mesher/plane/tile/site_positions.hpp"
+#include "mesher/plane/tile/tile_equality.hpp"
 
 namespace pcvt {
 namespace {
 
-std::vector<EdgePair> sorted(std::vector<EdgePair> pairs) {
+std::vector<plane::EdgePair> sorted(std::vector<plane::EdgePair> pairs) {
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }
 
 /// Whether every law of a tile says the same of both: the proof of the one is that of the other.
-bool is_the_same(const TileFile& file, const Tile& proved) {
-    return file.precision == Precision::kDouble && same_geometry(file.tile, proved) &&
+bool is_the_same(const TileFile& file, const plane::Tile& proved) {
+    return file.precision == plane::Precision::kDouble && same_geometry(file.tile, proved) &&
            same_site_notes(file.tile, proved) &&
            (!file.has_vertex_pairs || file.tile.vertex_pairs == proved.vertex_pairs) &&
            (!file.has_edge_pairs || sorted(file.tile.edge_pairs) == sorted(proved.edge_pairs)) &&
@@ -35,7 +35,7 @@ bool is_the_same(const TileFile& file, const Tile& proved) {
 }
 
 /// The groups of a file are those of its sites.
-void require_sites(const std::string& path, const Tile& tile) {
+void require_sites(const std::string& path, const plane::Tile& tile) {
     if (!tile.sites().empty()) return;
     throw BadFile(path + ": lacks the sites; write the file again with pcvt");
 }
@@ -49,16 +49,16 @@ std::string path_of(const TileFormat& format, const std::vector<EncodedFile>& fi
 
 /// A tile whose laws, stored pairs and site ids are proved, and the cells of its faces.
 struct ProvedLabels {
-    TileProof proof;
-    FaceImages cells;
+    plane::TileProof proof;
+    plane::FaceImages cells;
 };
 
 ProvedLabels prove_labels(const TileFile& file) {
-    TileProof proof = prove_tile(file.tile, file.precision, file.tolerance);
+    plane::TileProof proof = prove_tile(file.tile, file.precision, file.tolerance);
     if (file.has_vertex_pairs) compare_vertex_pairs(file.tile, proof);
     if (file.has_edge_pairs) compare_edge_pairs(file.tile, proof);
     if (file.has_wall_edges || !file.tile.holes.empty()) compare_wall_edges(file.tile, proof);
-    FaceImages cells = prove_sites(file.tile, proof);
+    plane::FaceImages cells = prove_sites(file.tile, proof);
     return {std::move(proof), std::move(cells)};
 }
 
@@ -68,7 +68,7 @@ void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& file
     const FileOptions options{.materials = file.materials.empty() ? nullptr : &file.materials,
                               .site_orbits = file.site_orbits,
                               .thickness = file.thickness};
-    Tile tile = file.tile;
+    plane::Tile tile = file.tile;
     tile.vertex_pairs = proved.proof.vertex_pairs;
     tile.edge_pairs = proved.proof.edge_pairs;
     tile.wall_edges = proved.proof.wall_edges;
@@ -88,9 +88,9 @@ void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& file
 }
 
 /// The part of the materials that a format states.
-CellMaterials held_materials(const TileFormat& format, const FileOptions& options) {
+plane::CellMaterials held_materials(const TileFormat& format, const FileOptions& options) {
     if (!format.states_materials || options.materials == nullptr) return {};
-    CellMaterials materials = *options.materials;
+    plane::CellMaterials materials = *options.materials;
     if (!format.takes_orientations) materials.site_orientation.clear();
     return materials;
 }
@@ -106,14 +106,16 @@ bool has_orbits(const TileFormat& format, const TileFile& file, const FileOption
 
 /// Throws CoarsePrecision if the format stores the tile in single precision, which does not resolve
 /// it.
-void refuse_coarse_precision(const TileFormat& format, const std::string& path, const Tile& tile,
-                             const Vec2& origin, const FileOptions& options) {
+void refuse_coarse_precision(const TileFormat& format, const std::string& path,
+                             const plane::Tile& tile, const plane::Vec2& origin,
+                             const FileOptions& options) {
     if (!format.holds_single_precision(options)) return;
-    const Vec2 from = format.moves_distant_tiles ? gltf_translation(tile) : Vec2::Zero();
+    const plane::Vec2 from =
+        format.moves_distant_tiles ? gltf_translation(tile) : plane::Vec2::Zero();
     if (fits_single_precision(tile, from)) return;
     throw CoarsePrecision(path + ": the format's single precision is too coarse for this tile; " +
                           "take another format" +
-                          (origin == Vec2::Zero() ? "" : ", or an origin nearer to 0,0"));
+                          (origin == plane::Vec2::Zero() ? "" : ", or an origin nearer to 0,0"));
 }
 
 }  // namespace
@@ -125,13 +127,13 @@ void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& f
     }
 }
 
-TileProof prove_tile_file(const TileFile& file) { return prove_labels(file).proof; }
+plane::TileProof prove_tile_file(const TileFile& file) { return prove_labels(file).proof; }
 
-TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& files,
-                     const TileFile& file) {
+plane::TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& files,
+                            const TileFile& file) {
     const ProvedLabels proved = prove_labels(file);
     if (!file.site_orbits.empty()) prove_orbit_areas(file.tile, proved.proof, file.site_orbits);
-    const bool exact = file.states_lattice && file.precision == Precision::kDouble;
+    const bool exact = file.states_lattice && file.precision == plane::Precision::kDouble;
     if (exact && format.fields != nullptr && proved.cells.are_clear) {
         prove_fields(format, files, file, proved);
     }
@@ -139,7 +141,8 @@ TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& f
 }
 
 void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                      const Tile& original, const Vec2& origin, const FileOptions& options) {
+                      const plane::Tile& original, const plane::Vec2& origin,
+                      const FileOptions& options) {
     const std::string& path = files.front().path;
     try {
         const TileFile file = decode_tile(format, files, std::nullopt);
@@ -180,10 +183,10 @@ void prove_grid_files(const TileFormat& format, const std::vector<EncodedFile>& 
 }
 
 void prove_voxel_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                       const CellMaterials& materials) {
+                       const plane::CellMaterials& materials) {
     try {
         const VoxelFile file = std::get<VoxelReader*>(format.read)(files);
-        const VoxelProof proof = prove_voxel_file(files, file);
+        const plane::VoxelProof proof = prove_voxel_file(files, file);
         compare_damask_material(files[1].path, file.materials.value(), proof.n_cells, materials);
     } catch (const InvalidInput& error) {
         throw InternalError(files.front().path + " breaks a law of voxels: " + error.what());
@@ -191,7 +194,7 @@ void prove_voxel_files(const TileFormat& format, const std::vector<EncodedFile>&
 }
 
 void prove_site_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                      const Points& sites) {
+                      const plane::Points& sites) {
     if (std::get<SiteReader*>(format.read)(files, sites)) return;
     throw InternalError(files.front().path + ": other sites are read back than were written");
 }

@@ -21,7 +21,7 @@ void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& f
 
 /// Proves the tile of a file: its laws, its stored pairs and its site ids.
 /// @throws NotATile naming the first fault.
-TileProof prove_tile_file(const TileFile& file);
+plane::TileProof prove_tile_file(const TileFile& file);
 
 /// Proves all that `files` state: the tile that was read from them, and, where they state its
 /// lattice as pcvt writes it, each further field that follows from the tile. These fields follow
@@ -34,8 +34,8 @@ TileProof prove_tile_file(const TileFile& file);
 ///
 /// @throws NotATile as prove_tile_file().
 /// @throws BadFile  naming the file, the line and the field that is wrong.
-TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& files,
-                     const TileFile& file);
+plane::TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& files,
+                            const TileFile& file);
 
 /// Proves the tile that `format` reads in `files`, with the stored pairs. Skips the proof if every
 /// number is that of `original`: its encoding is the bytes of `files`, so that each field is the
@@ -47,7 +47,8 @@ TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& f
 /// @throws CoarsePrecision  `original` is too fine for the format's single precision.
 /// @throws InternalError  a law is violated: a fault of pcvt.
 void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                      const Tile& original, const Vec2& origin, const FileOptions& options = {});
+                      const plane::Tile& original, const plane::Vec2& origin,
+                      const FileOptions& options = {});
 
 /// Proves the staggered grid that was read from `files`, and the graph of its cells beside it.
 /// @throws NotATile  the grid violates a law.
@@ -63,13 +64,13 @@ void prove_grid_files(const TileFormat& format, const std::vector<EncodedFile>& 
 /// @pre format.reads_voxels().
 /// @throws InternalError  a law is violated: a fault of pcvt.
 void prove_voxel_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                       const CellMaterials& materials);
+                       const plane::CellMaterials& materials);
 
 /// Proves that `format` reads exactly `sites` in `files`.
 /// @pre format.reads_sites().
 /// @throws InternalError  another site is read: a fault of pcvt.
 void prove_site_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                      const Points& sites);
+                      const plane::Points& sites);
 
 /// Proves that `format` reads exactly `rows` in `files`.
 /// @pre format.reads_cells().

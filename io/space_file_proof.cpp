@@ -26,9 +26,9 @@ SurfaceContent decode_surfaces(const EncodedFile& file) {
     return surface_content(is_obj ? decode_surface_obj(file) : decode_surface_ply(file), file.path);
 }
 
-TileSurface decode_boundary(const EncodedFile& file) {
+space::TileSurface decode_boundary(const EncodedFile& file) {
     if (lower_case_extension(file.path) == ".om") return decode_surface_om(file);
-    return std::get<TileSurface>(decode_surfaces(file));
+    return std::get<space::TileSurface>(decode_surfaces(file));
 }
 
 /// Encodes what was read from a file in the format of its path.
@@ -37,7 +37,7 @@ std::vector<EncodedFile> encode_again(const SurfaceList& list, const std::string
     return extension == ".obj" ? encode_surface_obj(list, path) : encode_surface_ply(list, path);
 }
 
-std::vector<EncodedFile> encode_again(const TileSurface& surface, const std::string& path) {
+std::vector<EncodedFile> encode_again(const space::TileSurface& surface, const std::string& path) {
     const bool is_om = lower_case_extension(path) == ".om";
     return is_om ? encode_surface_om(surface, path) : encode_again(surface_list(surface), path);
 }
@@ -76,8 +76,8 @@ SpaceTile decode(const std::vector<EncodedFile>& files, double tolerance) {
 }
 
 bool holds_same_boundary(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
-    const TileSurface found = prove_boundary_files(files).surface;
-    const TileSurface wanted = tile_surface(tile.mesh, tile.sites);
+    const space::TileSurface found = prove_boundary_files(files).surface;
+    const space::TileSurface wanted = tile_surface(tile.mesh, tile.sites);
     return found.points == wanted.points && found.faces == wanted.faces &&
            found.cell == wanted.cell && found.partner == wanted.partner &&
            found.offset == wanted.offset && found.sites == wanted.sites;
@@ -147,9 +147,9 @@ TetrahedralFileProof prove_tetrahedral_file(const EncodedFile& file, double tole
     return result;
 }
 
-void prove_own_tetrahedra(const EncodedFile& file, const TetrahedralMesh& mesh) {
+void prove_own_tetrahedra(const EncodedFile& file, const space::TetrahedralMesh& mesh) {
     try {
-        const TetrahedralMesh found = prove_tetrahedral_file(file).mesh;
+        const space::TetrahedralMesh found = prove_tetrahedral_file(file).mesh;
         if (found.points == mesh.points && found.point_site == mesh.point_site &&
             found.point_offset == mesh.point_offset && found.tetrahedra == mesh.tetrahedra) {
             return;
@@ -160,7 +160,7 @@ void prove_own_tetrahedra(const EncodedFile& file, const TetrahedralMesh& mesh) 
     throw InternalError(file.path + ": other tetrahedra are read back than were written");
 }
 
-void prove_space_site_file(const EncodedFile& file, const Points3& sites) {
+void prove_space_site_file(const EncodedFile& file, const space::Points& sites) {
     if (reads_back(file.path, file.bytes, sites)) return;
     throw InternalError(file.path + ": other sites are read back than were written");
 }

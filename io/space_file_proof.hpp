@@ -4,19 +4,19 @@
 #include <vector>
 
 #include "io/space_formats.hpp"
-#include "mesher/polyhedra/cell_sites.hpp"
-#include "mesher/polyhedra/polyhedral_proof.hpp"
-#include "mesher/surfaces/surface_proof.hpp"
-#include "mesher/tetrahedra/tetrahedral_proof.hpp"
+#include "mesher/space/mesh/cell_sites.hpp"
+#include "mesher/space/proof/polyhedral_proof.hpp"
+#include "mesher/space/proof/surface_proof.hpp"
+#include "mesher/space/proof/tetrahedral_proof.hpp"
 
 namespace pcvt {
 
 /// The figures that the proof of a file finds.
 struct SpaceFileProof {
     SpaceTile tile;
-    PolyhedralProof proof;
+    space::PolyhedralProof proof;
     /// Of files that state sites.
-    std::optional<CellSiteFigures> sites;
+    std::optional<space::CellSiteFigures> sites;
 };
 
 /// Proves all that the files state: the laws of PolyhedralMesh, the pairs of the seam, the
@@ -33,8 +33,8 @@ SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double t
 
 /// The boundary of a tile in a file, and the figures that its proof finds.
 struct BoundaryFileProof {
-    TileSurface surface;
-    SurfaceProof proof;
+    space::TileSurface surface;
+    space::SurfaceProof proof;
 };
 
 /// Proves all that files of the boundary state: the laws of TileSurface, and the names and colours.
@@ -50,8 +50,8 @@ void prove_own_space_files(const std::vector<EncodedFile>& files, const SpaceTil
 
 /// The tetrahedra of a file, and the figures that their proof finds.
 struct TetrahedralFileProof {
-    TetrahedralMesh mesh;
-    TetrahedralProof proof;
+    space::TetrahedralMesh mesh;
+    space::TetrahedralProof proof;
 };
 
 /// Proves all that an MSH or a VTU states: the laws of TetrahedralMesh, the groups and the links of
@@ -63,10 +63,10 @@ TetrahedralFileProof prove_tetrahedral_file(const EncodedFile& file, double tole
 
 /// The same for a file that pcvt is about to write, which must hold `mesh` as well.
 /// @throws InternalError  a law is violated: a fault of pcvt.
-void prove_own_tetrahedra(const EncodedFile& file, const TetrahedralMesh& mesh);
+void prove_own_tetrahedra(const EncodedFile& file, const space::TetrahedralMesh& mesh);
 
 /// Proves that a .txt file holds exactly these sites.
 /// @throws InternalError  another site is read: a fault of pcvt.
-void prove_space_site_file(const EncodedFile& file, const Points3& sites);
+void prove_space_site_file(const EncodedFile& file, const space::Points& sites);
 
 }  // namespace pcvt

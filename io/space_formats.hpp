@@ -9,7 +9,7 @@
 #include "io/space/space_tile.hpp"
 #include "io/surfaces/surface_list.hpp"
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/tetrahedra/tetrahedral_mesh.hpp"
+#include "mesher/space/mesh/tetrahedral_mesh.hpp"
 
 namespace pcvt {
 
@@ -54,15 +54,16 @@ struct SpaceFormat {
     /// Encodes a tile of polyhedra, and of tetrahedra; both null: the file holds the sites alone.
     std::vector<EncodedFile> (*encode)(const SpaceTile& tile, const SpaceFileOptions& options,
                                        const std::string& path);
-    std::vector<EncodedFile> (*encode_tetrahedra)(const TetrahedralMesh& mesh,
+    std::vector<EncodedFile> (*encode_tetrahedra)(const space::TetrahedralMesh& mesh,
                                                   const std::string& path);
     /// Returns what files of this extension hold, as `pcvt check` reads them; nothing if they hold
     /// no tile in space. Null for pictures and sites.
     std::optional<SpaceFileKind> (*kind)(const std::vector<EncodedFile>& files);
     /// Reads tetrahedra, and compares all that the file states beside them with what follows from
     /// them. Not null where encode_tetrahedra is not.
-    TetrahedralMesh (*decode_tetrahedra)(const EncodedFile& file) = nullptr;
-    void (*compare_tetrahedra)(const EncodedFile& file, const TetrahedralMesh& mesh) = nullptr;
+    space::TetrahedralMesh (*decode_tetrahedra)(const EncodedFile& file) = nullptr;
+    void (*compare_tetrahedra)(const EncodedFile& file,
+                               const space::TetrahedralMesh& mesh) = nullptr;
     /// Whether its cells state PolyhedralMesh::short_edges, without which no tile is proved that
     /// lost edges.
     bool states_short_edges = false;

@@ -58,7 +58,8 @@ void require_prisms(const FormatRequest& request) {
             "the thickness is not between 0.001 and 1000 times the mean distance of the sites, "
             "sqrt(area / n); take one nearer to it");
     }
-    if (request.outline == Outline::kWhole || request.kind != MeshKind::kVoronoi) return;
+    if (request.outline == plane::Outline::kWhole || request.kind != plane::MeshKind::kVoronoi)
+        return;
     throw InvalidInput(
         "cells that the box cuts are too thin for finite volumes; take the whole outline, or the "
         "mesh grains");
@@ -66,7 +67,7 @@ void require_prisms(const FormatRequest& request) {
 
 /// The mean strains of the job need equations across all sides.
 void require_job_without_walls(const FormatRequest& request) {
-    if (request.files.job == SolverJob::kNone || request.walls == Walls::kNone) return;
+    if (request.files.job == SolverJob::kNone || request.walls == plane::Walls::kNone) return;
     throw InvalidInput(
         "the job prescribes mean strains, which need a tile that is periodic along both "
         "directions; "
@@ -75,7 +76,7 @@ void require_job_without_walls(const FormatRequest& request) {
 
 /// MPAS takes a rectangular torus, and the Voronoi diagram as it is.
 void require_mpas_torus(const FormatRequest& request) {
-    if (request.walls != Walls::kNone) {
+    if (request.walls != plane::Walls::kNone) {
         throw InvalidInput(
             "MPAS meshes are periodic along both directions; leave the walls out, or take .vtu");
     }
@@ -105,7 +106,7 @@ void require_voxel_grid(const FormatRequest& request) {
             "voxels fill the whole rectangle; leave the holes out, whose tags are then phases, or "
             "take .vtu");
     }
-    if (request.walls != Walls::kNone) {
+    if (request.walls != plane::Walls::kNone) {
         throw InvalidInput(
             "DAMASK's voxels are periodic along both directions; leave the walls out, or take "
             ".vtu");
@@ -127,11 +128,11 @@ MpasGrid read_mpas(const std::vector<EncodedFile>& files) {
     return decode_mpas(files.front().path, files.front().bytes);
 }
 
-std::vector<EncodedFile> write_sites(const Points& sites, const std::string& path) {
+std::vector<EncodedFile> write_sites(const plane::Points& sites, const std::string& path) {
     return only_file(path, encode_sites(sites));
 }
 
-bool reads_back_sites(const std::vector<EncodedFile>& files, const Points& sites) {
+bool reads_back_sites(const std::vector<EncodedFile>& files, const plane::Points& sites) {
     return reads_back(files.front().path, files.front().bytes, sites);
 }
 
@@ -143,24 +144,24 @@ bool reads_back_cells(const std::vector<EncodedFile>& files, const CellRows& row
     return reads_back(files.front().path, files.front().bytes, rows);
 }
 
-std::vector<EncodedFile> write_svg(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> write_svg(const plane::Tile& tile, const FileOptions& options,
                                    const std::string& path) {
     if (options.cut_width > 0) return encode_svg_cut(tile, options.cut_width, path);
     return encode_svg(tile, options, path);
 }
 
-std::vector<EncodedFile> write_msh(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> write_msh(const plane::Tile& tile, const FileOptions& options,
                                    const std::string& path) {
     return encode_msh(tile, path, options.materials, options.site_orbits);
 }
 
-std::vector<EncodedFile> write_vtu(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> write_vtu(const plane::Tile& tile, const FileOptions& options,
                                    const std::string& path) {
     return encode_vtu(tile, path, options.site_orbits,
-                      options.materials == nullptr ? CellMaterials{} : *options.materials);
+                      options.materials == nullptr ? plane::CellMaterials{} : *options.materials);
 }
 
-std::vector<EncodedFile> write_foam(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> write_foam(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path) {
     return encode_foam(tile, path, options.thickness, options.materials);
 }
@@ -311,8 +312,8 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
 
 double FormatRequest::spacing() const { return std::sqrt(lattice.area() / (n_sites * n_periods)); }
 
-VoxelCounts requested_voxels(const FormatRequest& request) {
-    VoxelCounts counts = request.files.voxels;
+plane::VoxelCounts requested_voxels(const FormatRequest& request) {
+    plane::VoxelCounts counts = request.files.voxels;
     if (counts.x == 0) {
         counts = default_voxels(request.lattice, request.n_sites * request.n_periods);
         counts.z = request.files.voxels.z;
@@ -325,14 +326,14 @@ std::vector<std::string> single_path(const std::string& path) { return {path}; }
 
 std::span<const TileFormat> tile_formats() { return kTileFormats; }
 
-std::vector<EncodedFile> encode_tile(const TileFormat& format, const Tile& tile,
+std::vector<EncodedFile> encode_tile(const TileFormat& format, const plane::Tile& tile,
                                      const std::string& path, const FileOptions& options) {
     if (const auto* write = std::get_if<TileWriter*>(&format.write)) return (*write)(tile, path);
     return std::get<TileFormWriter*>(format.write)(tile, options, path);
 }
 
 TileFile decode_tile(const TileFormat& format, const std::vector<EncodedFile>& files,
-                     const std::optional<Lattice>& lattice) {
+                     const std::optional<plane::Lattice>& lattice) {
     return std::get<TileReader*>(format.read)(files, lattice);
 }
 

@@ -14,15 +14,15 @@
 #include "io/tiles/tile_file.hpp"
 #include "io/voxels/vti_reader.hpp"
 #include "mesher/finite_volume/mpas_grid.hpp"
-#include "mesher/mesh/outline.hpp"
+#include "mesher/plane/mesh/outline.hpp"
 
 namespace pcvt {
 
 /// The Voronoi cells of a whole torus, for formats that hold a staggered grid.
 struct Torus {
-    const PeriodicMesh& cells;
+    const plane::PeriodicMesh& cells;
     /// Corner of the domain in which the points are written.
-    Vec2 origin;
+    plane::Vec2 origin;
     /// The density at each site; empty where it is uniform.
     std::span<const double> site_densities;
     /// As FileOptions::coriolis.
@@ -31,49 +31,50 @@ struct Torus {
     std::string history = {};
 };
 
-using TileWriter = std::vector<EncodedFile>(const Tile& tile, const std::string& path);
+using TileWriter = std::vector<EncodedFile>(const plane::Tile& tile, const std::string& path);
 /// Writes a tile in one of several forms, which the options choose.
-using TileFormWriter = std::vector<EncodedFile>(const Tile& tile, const FileOptions& options,
+using TileFormWriter = std::vector<EncodedFile>(const plane::Tile& tile, const FileOptions& options,
                                                 const std::string& path);
 using TorusWriter = std::vector<EncodedFile>(const Torus& torus, const std::string& path);
-using SiteWriter = std::vector<EncodedFile>(const Points& sites, const std::string& path);
+using SiteWriter = std::vector<EncodedFile>(const plane::Points& sites, const std::string& path);
 /// Writes measures of the cells at the sites.
 using CellWriter = std::vector<EncodedFile>(const CellRows& rows, const std::string& path);
 
 /// Writes the cells as voxels, with the phases, orientations and elastic constants of the cells.
-using VoxelWriter = std::vector<EncodedFile>(const VoxelImage& image, const VoxelCells& cells,
-                                             const CellMaterials& materials,
-                                             const ElasticChoices& elastic,
+using VoxelWriter = std::vector<EncodedFile>(const plane::VoxelImage& image,
+                                             const plane::VoxelCells& cells,
+                                             const plane::CellMaterials& materials,
+                                             const plane::ElasticChoices& elastic,
                                              const std::string& path);
 
 using TileReader = TileFile(const std::vector<EncodedFile>& files,
-                            const std::optional<Lattice>& lattice);
+                            const std::optional<plane::Lattice>& lattice);
 /// The fields of a file that follow from its tile; nothing for a file whose fields are a user's.
 using FieldReader = std::optional<FileFields>(const std::string& path, std::string_view text);
 using GridReader = MpasGrid(const std::vector<EncodedFile>& files);
 using VoxelReader = VoxelFile(const std::vector<EncodedFile>& files);
 /// Whether `files` read back as exactly these sites.
-using SiteReader = bool(const std::vector<EncodedFile>& files, const Points& sites);
+using SiteReader = bool(const std::vector<EncodedFile>& files, const plane::Points& sites);
 /// Whether `files` read back as exactly these rows.
 using CellReader = bool(const std::vector<EncodedFile>& files, const CellRows& rows);
 
 /// The content of a file, known before anything is computed.
 struct FormatRequest {
     /// The lattice of the tile or torus, repetitions included.
-    Lattice lattice;
-    MeshKind kind;
-    Outline outline;
+    plane::Lattice lattice;
+    plane::MeshKind kind;
+    plane::Outline outline;
     double short_edges;
     /// Of one period.
     double n_sites = 1;
     /// The numbers of periods in `lattice`.
     double n_periods = 1;
-    Walls walls = Walls::kNone;
+    plane::Walls walls = plane::Walls::kNone;
     bool has_holes = false;
     /// Whether the cells are power cells.
     bool has_weights = false;
     /// The corner of the domain.
-    Vec2 origin = Vec2::Zero();
+    plane::Vec2 origin = plane::Vec2::Zero();
     FileOptions files = {};
 
     /// The mean distance of the sites.
@@ -82,7 +83,7 @@ struct FormatRequest {
 
 /// The voxels of a request, or the default.
 /// @throws InvalidInput, LimitExceeded as voxel_grid() does.
-VoxelCounts requested_voxels(const FormatRequest& request);
+plane::VoxelCounts requested_voxels(const FormatRequest& request);
 
 /// The list of `path` alone.
 std::vector<std::string> single_path(const std::string& path);
@@ -171,13 +172,13 @@ std::span<const TileFormat> tile_formats();
 
 /// The bytes of a tile in a format.
 /// @pre format.needs_tile().
-std::vector<EncodedFile> encode_tile(const TileFormat& format, const Tile& tile,
+std::vector<EncodedFile> encode_tile(const TileFormat& format, const plane::Tile& tile,
                                      const std::string& path, const FileOptions& options = {});
 
 /// The tile in the files of a format.
 /// @pre format.is_readable(), and neither format.reads_grid() nor format.reads_voxels().
 TileFile decode_tile(const TileFormat& format, const std::vector<EncodedFile>& files,
-                     const std::optional<Lattice>& lattice);
+                     const std::optional<plane::Lattice>& lattice);
 
 /// The row for the extension of `path` (case does not matter), nullptr if there is none.
 const TileFormat* find_tile_format(const std::string& path);

@@ -2,24 +2,26 @@
 // and walks along its seam. Prints each identified pair of boundary edges once.
 #include <cstdio>
 
-#include "mesher/cvt/cvt.hpp"
-#include "mesher/mesh/outline.hpp"
-#include "mesher/mesh/voronoi.hpp"
-#include "mesher/tile/openmesh_tile.hpp"
-#include "mesher/tile/tile_builder.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
+#include "mesher/plane/mesh/outline.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
+#include "mesher/plane/tile/openmesh_tile.hpp"
+#include "mesher/plane/tile/tile_builder.hpp"
 
 int main() {
-    const pcvt::Lattice lattice({1, 0}, {0.37, 0.81});
-    const pcvt::Points points = pcvt::uniform_points(lattice, 30, /*seed=*/7);
+    const pcvt::plane::Lattice lattice({1, 0}, {0.37, 0.81});
+    const pcvt::plane::Points points = pcvt::plane::uniform_points(lattice, 30, /*seed=*/7);
 
-    const pcvt::CvtResult result = pcvt::compute_cvt(lattice, points, {});
+    const pcvt::plane::CvtResult result = pcvt::plane::compute_cvt(lattice, points, {});
     std::printf("energy %.9g, %.6f of the hexagonal bound, after %d evaluations\n",
                 result.run.energy, result.run.energy / result.energy_bound, result.run.evaluations);
 
-    const pcvt::PeriodicMesh cells = pcvt::periodic_mesh(result.delaunay, pcvt::MeshKind::kVoronoi);
-    const pcvt::Tile arrays = pcvt::make_tile(cells, pcvt::whole_outline(cells, {0, 0}));
-    const pcvt::OpenMeshTile any_tile = pcvt::openmesh_tile(arrays);
-    const auto& tile = std::get<pcvt::CellTile>(any_tile);
+    const pcvt::plane::PeriodicMesh cells =
+        pcvt::plane::periodic_mesh(result.delaunay, pcvt::plane::MeshKind::kVoronoi);
+    const pcvt::plane::Tile arrays =
+        pcvt::plane::make_tile(cells, pcvt::plane::whole_outline(cells, {0, 0}));
+    const pcvt::plane::OpenMeshTile any_tile = pcvt::plane::openmesh_tile(arrays);
+    const auto& tile = std::get<pcvt::plane::CellTile>(any_tile);
 
     for (const auto halfedge : tile.mesh.halfedges()) {
         const int partner = tile.mesh.property(tile.identification.partner, halfedge);

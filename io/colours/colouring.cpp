@@ -8,12 +8,12 @@
 #include "io/colours/site_classes.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/lattice/polygon.hpp"
-#include "mesher/mesh/valence.hpp"
+#include "mesher/plane/geometry/polygon.hpp"
+#include "mesher/plane/mesh/valence.hpp"
+#include "mesher/plane/tile/face_polygon.hpp"
+#include "mesher/plane/tile/tile_valence.hpp"
 #include "mesher/portable/decimal_text.hpp"
 #include "mesher/portable/portable_functions.hpp"
-#include "mesher/tile/face_polygon.hpp"
-#include "mesher/tile/tile_valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -25,7 +25,7 @@ constexpr double kLeastShare = 1e-12;
 
 static_assert(kSiteClasses == kCellColours);
 
-const std::vector<SiteId>& owners(const Tile& tile) {
+const std::vector<SiteId>& owners(const plane::Tile& tile) {
     return faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
 }
 
@@ -38,11 +38,11 @@ std::string rounded(double value, int digits) {
 
 /// Returns the area of each site's cell, over all faces of the cell, or a third of the area of the
 /// triangles at each site.
-std::map<SiteId, double> site_areas(const Tile& tile) {
+std::map<SiteId, double> site_areas(const plane::Tile& tile) {
     std::map<SiteId, double> areas;
     for (int f = 0; f < tile.n_faces(); ++f) {
         checkpoint_each(f);
-        const double area = polygon_area(face_polygon(tile.points, tile.faces[f]));
+        const double area = plane::polygon_area(plane::face_polygon(tile.points, tile.faces[f]));
         if (faces_have_sites(tile.kind)) {
             areas[tile.face_site[f]] += area;
         } else {
@@ -62,7 +62,7 @@ struct ValueWords {
 };
 
 /// Returns classes of one ratio for values that are given by their logarithms to the base 2.
-TileColours colours_by_value(const Tile& tile, const std::map<SiteId, double>& octaves,
+TileColours colours_by_value(const plane::Tile& tile, const std::map<SiteId, double>& octaves,
                              const ValueWords& words) {
     double least = octaves.begin()->second;
     double most = least;
@@ -96,15 +96,15 @@ TileColours colours_by_value(const Tile& tile, const std::map<SiteId, double>& o
 }
 
 /// Returns the numbers of sides of the faces, or the valences of the vertices.
-std::vector<int> numbers_of_sides(const Tile& tile) {
+std::vector<int> numbers_of_sides(const plane::Tile& tile) {
     return faces_have_sites(tile.kind) ? cell_sides(tile) : vertex_valences(tile);
 }
 
 /// Returns the numbers that the legend counts: one per whole cell, piece or site.
-std::vector<int> counted_sides(const Tile& tile, const std::vector<int>& sides) {
+std::vector<int> counted_sides(const plane::Tile& tile, const std::vector<int>& sides) {
     if (faces_have_sites(tile.kind)) return sides;
     std::vector<bool> is_copy(sides.size());
-    for (const VertexPair& pair : tile.vertex_pairs) is_copy[pair.w] = true;
+    for (const plane::VertexPair& pair : tile.vertex_pairs) is_copy[pair.w] = true;
     std::vector<int> result;
     for (int v = 0; v < tile.n_vertices(); ++v) {
         checkpoint_each(v);
@@ -113,7 +113,7 @@ std::vector<int> counted_sides(const Tile& tile, const std::vector<int>& sides) 
     return result;
 }
 
-std::string sides_label(const Tile& tile, int n, int count) {
+std::string sides_label(const plane::Tile& tile, int n, int count) {
     if (!faces_have_sites(tile.kind)) {
         return "valence " + std::to_string(n) + ": " + std::to_string(count);
     }
@@ -143,11 +143,11 @@ bool are_there(ColouringNeed needs, const SiteQuantities& quantities) {
 
 }  // namespace
 
-TileColours colours_by_sides(const Tile& tile, const SiteQuantities&) {
+TileColours colours_by_sides(const plane::Tile& tile, const SiteQuantities&) {
     TileColours colours;
     const std::vector<int> sides = numbers_of_sides(tile);
     std::map<int, int> class_of;
-    for (const auto& [n, count] : histogram(counted_sides(tile, sides))) {
+    for (const auto& [n, count] : plane::histogram(counted_sides(tile, sides))) {
         class_of[n] = static_cast<int>(colours.classes.size());
         colours.classes.push_back({.colour = side_colour(n),
                                    .name = "sides_" + std::to_string(n),
@@ -157,7 +157,7 @@ TileColours colours_by_sides(const Tile& tile, const SiteQuantities&) {
     return colours;
 }
 
-TileColours colours_by_size(const Tile& tile, const SiteQuantities&) {
+TileColours colours_by_size(const plane::Tile& tile, const SiteQuantities&) {
     std::map<SiteId, double> octaves = site_areas(tile);
     const double mean = tile.lattice.area() / static_cast<double>(octaves.size());
     for (auto& [site, octave] : octaves) {
@@ -168,7 +168,7 @@ TileColours colours_by_size(const Tile& tile, const SiteQuantities&) {
     return colours;
 }
 
-TileColours colours_by_cells(const Tile& tile, const SiteQuantities&) {
+TileColours colours_by_cells(const plane::Tile& tile, const SiteQuantities&) {
     TileColours colours{.class_of = site_classes(tile), .classes = {}, .explanation = {}};
     for (int k = 0; k < kCellColours; ++k) {
         colours.classes.push_back({cell_colour(k), "cell_colour_" + std::to_string(k), ""});
@@ -176,7 +176,7 @@ TileColours colours_by_cells(const Tile& tile, const SiteQuantities&) {
     return colours;
 }
 
-TileColours colours_by_density(const Tile& tile, const SiteQuantities& quantities) {
+TileColours colours_by_density(const plane::Tile& tile, const SiteQuantities& quantities) {
     const std::span<const double> densities = quantities.densities;
     std::map<SiteId, double> octaves;
     for (const SiteId site : owners(tile)) {
@@ -187,8 +187,8 @@ TileColours colours_by_density(const Tile& tile, const SiteQuantities& quantitie
     return colours;
 }
 
-TileColours colours_by_phase(const Tile& tile, const SiteQuantities& quantities) {
-    const CellMaterials& materials = *quantities.materials;
+TileColours colours_by_phase(const plane::Tile& tile, const SiteQuantities& quantities) {
+    const plane::CellMaterials& materials = *quantities.materials;
     const std::vector<int>& phases = materials.site_phase;
     TileColours colours{.class_of = {}, .classes = {}, .explanation = " by phase"};
     for (const SiteId site : owners(tile)) {
@@ -199,19 +199,19 @@ TileColours colours_by_phase(const Tile& tile, const SiteQuantities& quantities)
         const std::string& name = materials.phase_names[k];
         colours.classes.push_back(
             {.colour = cell_colour(k % kCellColours),
-             .name = phase_group(name),
+             .name = plane::phase_group(name),
              .label = name + ": " + std::to_string(std::count(phases.begin(), phases.end(), k))});
     }
     return colours;
 }
 
-TileColours colours_by_tag(const Tile& tile, const SiteQuantities& quantities) {
+TileColours colours_by_tag(const plane::Tile& tile, const SiteQuantities& quantities) {
     TileColours colours = colours_by_phase(tile, quantities);
     colours.explanation = " by tag";
     return colours;
 }
 
-TileColours colours_by_orbit(const Tile& tile, const SiteQuantities& quantities) {
+TileColours colours_by_orbit(const plane::Tile& tile, const SiteQuantities& quantities) {
     const std::span<const int> orbits = quantities.orbits;
     TileColours colours{.class_of = {}, .classes = {}, .explanation = " by orbit"};
     const int n_orbits = *std::max_element(orbits.begin(), orbits.end()) + 1;
@@ -235,7 +235,8 @@ TileColours colours_by_orbit(const Tile& tile, const SiteQuantities& quantities)
     return colours;
 }
 
-TileColours tile_colours(const Tile& tile, Colouring colouring, const SiteQuantities& quantities) {
+TileColours tile_colours(const plane::Tile& tile, Colouring colouring,
+                         const SiteQuantities& quantities) {
     const ColouringRow& row = colouring_row(colouring);
     if (!are_there(row.needs, quantities)) {
         throw InternalError(std::string("there is no ") + row.word + " to show in colours");
@@ -243,7 +244,7 @@ TileColours tile_colours(const Tile& tile, Colouring colouring, const SiteQuanti
     return row.colours(tile, quantities);
 }
 
-Colouring default_picture_colouring(const Tile& tile, const SiteQuantities& quantities) {
+Colouring default_picture_colouring(const plane::Tile& tile, const SiteQuantities& quantities) {
     if (has_phases(quantities)) return Colouring::kPhase;
     if (mesh_kind_row(tile.kind).grain_size) return Colouring::kCells;
     return quantities.densities.empty() ? Colouring::kSides : Colouring::kSize;

@@ -8,8 +8,8 @@
 
 #include "io/colours/palette.hpp"
 #include "mesher/base/choices.hpp"
-#include "mesher/materials/cell_materials.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/materials/cell_materials.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -46,13 +46,13 @@ struct SiteQuantities {
     /// Empty where the density is uniform.
     std::span<const double> densities = {};
     /// Null: none.
-    const CellMaterials* materials = nullptr;
+    const plane::CellMaterials* materials = nullptr;
     /// The orbit of each site under the symmetry of the run; empty without one.
     std::span<const int> orbits = {};
 };
 
 /// Computes the colours of a tile.
-using TileColourer = TileColours(const Tile& tile, const SiteQuantities& quantities);
+using TileColourer = TileColours(const plane::Tile& tile, const SiteQuantities& quantities);
 
 /// By the number of sides of each cell, or by the valence of each site.
 TileColourer colours_by_sides;
@@ -139,10 +139,11 @@ constexpr const ColouringRow& colouring_row(Colouring colouring) {
 ///     const Colour first = colours.classes[colours.class_of[0]].colour;
 ///
 /// @throws InternalError if the colouring shows a quantity that is not there.
-TileColours tile_colours(const Tile& tile, Colouring colouring, const SiteQuantities& quantities);
+TileColours tile_colours(const plane::Tile& tile, Colouring colouring,
+                         const SiteQuantities& quantities);
 
 /// Returns the colouring of pictures where the user leaves the choice: the phases, if there are
 /// some; grains one by one; the sizes of cells where there is a density; else the numbers of sides.
-Colouring default_picture_colouring(const Tile& tile, const SiteQuantities& quantities);
+Colouring default_picture_colouring(const plane::Tile& tile, const SiteQuantities& quantities);
 
 }  // namespace pcvt

@@ -6,7 +6,7 @@
 
 #include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/tile/tile_edges.hpp"
+#include "mesher/plane/tile/tile_edges.hpp"
 
 namespace pcvt {
 namespace {
@@ -39,10 +39,10 @@ class SiteGroups {
 
 /// Returns the groups of sites whose faces share an edge, inside the tile or across its seam; for
 /// Delaunay triangles, those of the sites at the ends of an edge.
-Neighbours neighbours(const Tile& tile, const SiteGroups& group) {
+Neighbours neighbours(const plane::Tile& tile, const SiteGroups& group) {
     const bool owned = faces_have_sites(tile.kind);
     Neighbours pairs;
-    for (const TileEdge& edge : tile_edges(tile)) {
+    for (const plane::TileEdge& edge : tile_edges(tile)) {
         if (owned && edge.right < 0) continue;
         if (owned) {
             pairs.emplace_back(group[tile.face_site[edge.left]], group[tile.face_site[edge.right]]);
@@ -137,7 +137,7 @@ std::vector<int> classes(const SiteGraph& graph) {
 
 }  // namespace
 
-std::vector<int> site_classes(const Tile& tile, std::span<const int> site_group) {
+std::vector<int> site_classes(const plane::Tile& tile, std::span<const int> site_group) {
     const std::vector<SiteId>& sites =
         faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
     if (sites.empty()) return {};

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -20,6 +20,6 @@ inline constexpr int kSiteClasses = 7;
 ///                    the same class, and neighbours of different groups have different ones. The
 ///                    groups are the orbits of a plane group, whose quotient of the torus needs no
 ///                    more classes than the torus. Empty: each site is a group.
-std::vector<int> site_classes(const Tile& tile, std::span<const int> site_group = {});
+std::vector<int> site_classes(const plane::Tile& tile, std::span<const int> site_group = {});
 
 }  // namespace pcvt

@@ -2,13 +2,13 @@
 
 #include <vector>
 
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
 struct CutLine {
-    Vec2 from;
-    Vec2 to;
+    plane::Vec2 from;
+    plane::Vec2 to;
 };
 
 /// The edges of a tile as a cutter needs them, with the lower left corner of all at 0.
@@ -17,7 +17,7 @@ struct CutLines {
     /// once.
     std::vector<CutLine> inner;
     std::vector<CutLine> seam;
-    Vec2 size;
+    plane::Vec2 size;
 };
 
 /// Returns the edges of a tile.
@@ -28,7 +28,7 @@ struct CutLines {
 /// Example usage:
 ///   const CutLines lines = cut_lines(tile, 300);
 ///   for (const CutLine& line : lines.inner) cut(line.from, line.to);
-CutLines cut_lines(const Tile& tile, double width);
+CutLines cut_lines(const plane::Tile& tile, double width);
 
 /// The layers of the two lists, in every format.
 inline constexpr const char* kInnerLayer = "CUT";

@@ -23,15 +23,15 @@ void append_group(std::string& text, int code, double value) {
     text += '\n';
 }
 
-void append_point(std::string& text, int first_code, const Vec2& point) {
+void append_point(std::string& text, int first_code, const plane::Vec2& point) {
     append_group(text, first_code, point.x());
     append_group(text, first_code + 10, point.y());
     append_group(text, first_code + 20, 0.0);
 }
 
-void append_header(std::string& text, const Vec2& size) {
+void append_header(std::string& text, const plane::Vec2& size) {
     text += "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$EXTMIN\n";
-    append_point(text, 10, Vec2::Zero());
+    append_point(text, 10, plane::Vec2::Zero());
     text += "9\n$EXTMAX\n";
     append_point(text, 10, size);
     text += "0\nENDSEC\n";
@@ -65,7 +65,7 @@ void append_lines(std::string& text, const std::vector<CutLine>& lines, const ch
 
 }  // namespace
 
-std::vector<EncodedFile> encode_dxf(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_dxf(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path) {
     const CutLines lines = cut_lines(tile, options.cut_width);
     std::string text = "999\nA periodic tile, written by pcvt\n";

@@ -33,7 +33,8 @@ std::string layer(const std::vector<CutLine>& lines, double height, const std::s
 
 }  // namespace
 
-std::vector<EncodedFile> encode_svg_cut(const Tile& tile, double width, const std::string& path) {
+std::vector<EncodedFile> encode_svg_cut(const plane::Tile& tile, double width,
+                                        const std::string& path) {
     const CutLines lines = cut_lines(tile, width);
     const std::string x = number(lines.size.x());
     const std::string y = number(lines.size.y());

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -14,6 +14,7 @@ namespace pcvt {
 ///         output.stage(file.path, file.bytes);
 ///     }
 /// @param width  of the tile in millimetres, above 0.
-std::vector<EncodedFile> encode_svg_cut(const Tile& tile, double width, const std::string& path);
+std::vector<EncodedFile> encode_svg_cut(const plane::Tile& tile, double width,
+                                        const std::string& path);
 
 }  // namespace pcvt

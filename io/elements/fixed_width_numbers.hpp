@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 

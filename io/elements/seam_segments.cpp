@@ -12,9 +12,9 @@ namespace {
 struct Step {
     int from;
     int to;
-    Offset offset = {};
+    plane::Offset offset = {};
     int middle = -1;
-    std::optional<WallId> wall = {};
+    std::optional<plane::WallId> wall = {};
     /// The partner's step.
     int partner = -1;
 
@@ -22,10 +22,10 @@ struct Step {
 };
 
 /// The steps along the boundary; each pair of the seam is followed by its partner.
-std::vector<Step> boundary_steps(const Tile& tile, const MidsideNodes& middles) {
+std::vector<Step> boundary_steps(const plane::Tile& tile, const plane::MidsideNodes& middles) {
     std::vector<Step> steps;
     for (std::size_t k = 0; k < tile.edge_pairs.size(); ++k) {
-        const EdgePair& pair = tile.edge_pairs[k];
+        const plane::EdgePair& pair = tile.edge_pairs[k];
         const int here = static_cast<int>(steps.size());
         steps.push_back({.from = pair.v0, .to = pair.v1, .offset = pair.offset});
         steps.push_back({.from = pair.w1, .to = pair.w0, .offset = -pair.offset});
@@ -36,7 +36,7 @@ std::vector<Step> boundary_steps(const Tile& tile, const MidsideNodes& middles) 
         steps[here + 1].middle = middles.of_edge_pair[k][1];
     }
     for (std::size_t k = 0; k < tile.wall_edges.size(); ++k) {
-        const WallEdge& edge = tile.wall_edges[k];
+        const plane::WallEdge& edge = tile.wall_edges[k];
         steps.push_back({.from = edge.v0, .to = edge.v1, .wall = edge.wall});
         if (!middles.of_wall_edge.empty()) steps.back().middle = middles.of_wall_edge[k];
     }
@@ -46,7 +46,7 @@ std::vector<Step> boundary_steps(const Tile& tile, const MidsideNodes& middles) 
 /// Walks along the steps of a boundary.
 class BoundaryWalk {
    public:
-    BoundaryWalk(const Tile& tile, std::vector<Step> steps)
+    BoundaryWalk(const plane::Tile& tile, std::vector<Step> steps)
         : tile_(tile), steps_(std::move(steps)), leaving_(tile.points.size()) {
         for (std::size_t s = 0; s < steps_.size(); ++s) {
             leaving_[steps_[s].from].push_back(static_cast<int>(s));
@@ -82,10 +82,10 @@ class BoundaryWalk {
             if (next.empty()) throw InternalError("the boundary of the tile is not closed");
             if (next.size() > 1 || !steps_[next[0]].continues(step)) is_end_[step.to] = true;
         }
-        for (const VertexPair& pair : tile_.vertex_pairs) {
+        for (const plane::VertexPair& pair : tile_.vertex_pairs) {
             if (is_end_[pair.w]) is_end_[pair.v] = true;
         }
-        for (const VertexPair& pair : tile_.vertex_pairs) {
+        for (const plane::VertexPair& pair : tile_.vertex_pairs) {
             if (is_end_[pair.v] && !leaving_[pair.w].empty()) is_end_[pair.w] = true;
         }
     }
@@ -110,7 +110,7 @@ class BoundaryWalk {
         }
     }
 
-    const Tile& tile_;
+    const plane::Tile& tile_;
     std::vector<Step> steps_;
     /// The steps that leave each vertex: more than one where two parts of a tile meet.
     std::vector<std::vector<int>> leaving_;
@@ -121,7 +121,8 @@ class BoundaryWalk {
 
 }  // namespace
 
-std::vector<SeamSegment> seam_segments(const Tile& tile, const MidsideNodes& middles) {
+std::vector<SeamSegment> seam_segments(const plane::Tile& tile,
+                                       const plane::MidsideNodes& middles) {
     return BoundaryWalk(tile, boundary_steps(tile, middles)).runs();
 }
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "mesher/tile/midside_nodes.hpp"
+#include "mesher/plane/tile/midside_nodes.hpp"
 
 namespace pcvt {
 
@@ -11,7 +11,7 @@ namespace pcvt {
 /// on one wall.
 struct SeamSegment {
     /// Takes the run to its partner: position + translation(offset). On a wall: (0, 0).
-    Offset offset;
+    plane::Offset offset;
     /// Along the boundary, the tile on the left; both ends included, so two or more.
     std::vector<int> vertices;
     /// Of order 2 the nodes between them: middles[k] after vertices[k].
@@ -21,7 +21,7 @@ struct SeamSegment {
     /// On a wall: -1.
     int partner;
     /// The wall on which the run lies; nothing on the seam.
-    std::optional<WallId> wall = {};
+    std::optional<plane::WallId> wall = {};
 };
 
 /// The boundary as runs, with the tile on their left: loop by loop from the smallest vertex where a
@@ -37,6 +37,6 @@ struct SeamSegment {
 /// @param middles  of a tile of order 2; else empty.
 /// @pre the tile has its edge_pairs and its wall_edges.
 /// @throws InternalError where they do not form loops.
-std::vector<SeamSegment> seam_segments(const Tile& tile, const MidsideNodes& middles);
+std::vector<SeamSegment> seam_segments(const plane::Tile& tile, const plane::MidsideNodes& middles);
 
 }  // namespace pcvt

@@ -14,18 +14,19 @@ namespace {
 /// A position is a sum of a few rounded vectors; two images of a site differ by a period vector.
 constexpr double kUlps = 64;
 
-std::vector<Vec2> positions_of_sites(const Tile& tile, const std::vector<SiteId>& sites) {
+std::vector<plane::Vec2> positions_of_sites(const plane::Tile& tile,
+                                            const std::vector<SiteId>& sites) {
     if (!tile.grain_site_points.empty()) return tile.grain_site_points;
-    std::vector<Vec2> positions(sites.size(), Vec2::Zero());
+    std::vector<plane::Vec2> positions(sites.size(), plane::Vec2::Zero());
     if (tile.vertex_site.empty()) return positions;
     for (int f = 0; f < tile.n_faces(); ++f) positions[f] = tile.points[owner_corner(tile, f)];
     return positions;
 }
 
-double largest_coordinate(const Tile& tile, const std::vector<Vec2>& more) {
+double largest_coordinate(const plane::Tile& tile, const std::vector<plane::Vec2>& more) {
     double largest = 0;
-    for (const std::vector<Vec2>* points : {&tile.points, &more}) {
-        for (const Vec2& p : *points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    for (const std::vector<plane::Vec2>* points : {&tile.points, &more}) {
+        for (const plane::Vec2& p : *points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
     }
     return largest;
 }
@@ -35,23 +36,24 @@ struct Contacts {
     static constexpr int kMost = 3;
     int n = 0;
     std::array<SiteId, kMost> site{};
-    std::array<Vec2, kMost> place{};
+    std::array<plane::Vec2, kMost> place{};
 };
 
 }  // namespace
 
-TriangleCells::TriangleCells(const Tile& tile)
+TriangleCells::TriangleCells(const plane::Tile& tile)
     : sites_(element_cells(tile)), site_points_(positions_of_sites(tile, sites_)) {
     rounding_ =
         kUlps * std::numeric_limits<double>::epsilon() * largest_coordinate(tile, site_points_);
 }
 
-CellContacts cell_contacts(const Tile& tile, const SolverNodes& nodes, const TriangleCells& cells) {
+CellContacts cell_contacts(const plane::Tile& tile, const SolverNodes& nodes,
+                           const TriangleCells& cells) {
     // The representative of each node, and the translation from there to the node.
     std::vector<int> representative(nodes.points.size());
     std::iota(representative.begin(), representative.end(), 0);
-    std::vector<Vec2> translation(nodes.points.size(), Vec2::Zero());
-    for (const VertexPair& pair : nodes.pairs) {
+    std::vector<plane::Vec2> translation(nodes.points.size(), plane::Vec2::Zero());
+    for (const plane::VertexPair& pair : nodes.pairs) {
         representative[pair.w] = pair.v;
         translation[pair.w] = tile.lattice.translation(pair.offset);
     }
@@ -61,7 +63,7 @@ CellContacts cell_contacts(const Tile& tile, const SolverNodes& nodes, const Tri
         checkpoint_each(f);
         for (const int v : element_nodes(tile, nodes, f)) {
             Contacts& at = contacts[representative[v]];
-            const Vec2 place = cells.site_point(f) - translation[v];
+            const plane::Vec2 place = cells.site_point(f) - translation[v];
             int k = 0;
             while (k < at.n &&
                    !(at.site[k] == cells.site(f) && cells.same_place(at.place[k], place)))

@@ -17,25 +17,25 @@ namespace pcvt {
 class TriangleCells {
    public:
     /// @pre the faces of the tile are triangles.
-    explicit TriangleCells(const Tile& tile);
+    explicit TriangleCells(const plane::Tile& tile);
 
     /// As element_cells().
     SiteId site(int f) const { return sites_[f]; }
     const std::vector<SiteId>& sites() const { return sites_; }
     /// Where the site of the cell lies in the tile, length units.
-    const Vec2& site_point(int f) const { return site_points_[f]; }
+    const plane::Vec2& site_point(int f) const { return site_points_[f]; }
     /// Whether two triangles lie in one cell.
     bool same(int f, int g) const {
         return sites_[f] == sites_[g] && same_place(site_points_[f], site_points_[g]);
     }
     /// Whether two positions of one site differ by rounding alone.
-    bool same_place(const Vec2& p, const Vec2& q) const {
+    bool same_place(const plane::Vec2& p, const plane::Vec2& q) const {
         return (p - q).cwiseAbs().maxCoeff() <= rounding_;
     }
 
    private:
     std::vector<SiteId> sites_;
-    std::vector<Vec2> site_points_;
+    std::vector<plane::Vec2> site_points_;
     double rounding_ = 0;
 };
 
@@ -49,6 +49,7 @@ struct CellContacts {
 };
 
 /// @param nodes  solver_nodes() of the tile.
-CellContacts cell_contacts(const Tile& tile, const SolverNodes& nodes, const TriangleCells& cells);
+CellContacts cell_contacts(const plane::Tile& tile, const SolverNodes& nodes,
+                           const TriangleCells& cells);
 
 }  // namespace pcvt

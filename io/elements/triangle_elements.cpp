@@ -5,9 +5,9 @@
 
 namespace pcvt {
 
-int owner_corner(const Tile& tile, int f) {
+int owner_corner(const plane::Tile& tile, int f) {
     const auto corners = tile.faces[f];
-    const Vec2 centroid =
+    const plane::Vec2 centroid =
         (tile.points[corners[0]] + tile.points[corners[1]] + tile.points[corners[2]]) / 3;
     int nearest = corners[0];
     for (const int v : {corners[1], corners[2]}) {
@@ -17,12 +17,12 @@ int owner_corner(const Tile& tile, int f) {
     return nearest;
 }
 
-void require_triangles(MeshKind kind, const std::string& path) {
-    if (kind != MeshKind::kVoronoi) return;
+void require_triangles(plane::MeshKind kind, const std::string& path) {
+    if (kind != plane::MeshKind::kVoronoi) return;
     throw InvalidInput(path + ": the format has no polygons; take the mesh delaunay or grains");
 }
 
-std::vector<SiteId> element_cells(const Tile& tile) {
+std::vector<SiteId> element_cells(const plane::Tile& tile) {
     if (!tile.face_site.empty()) return tile.face_site;
     std::vector<SiteId> cells;
     cells.reserve(static_cast<std::size_t>(tile.n_faces()));

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/tile/texture_coordinates.hpp"
+#include "mesher/plane/tile/texture_coordinates.hpp"
 
 namespace pcvt {
 namespace {
@@ -39,7 +39,7 @@ bool same_accessors(const Json& attributes, const Json& others) {
     return true;
 }
 
-void require_flat(const GltfDocument& document, const Json& primitive, const Tile& tile) {
+void require_flat(const GltfDocument& document, const Json& primitive, const plane::Tile& tile) {
     const auto points = attribute(document, primitive, "POSITION", 3, tile.points.size());
     const auto normals = attribute(document, primitive, "NORMAL", 3, tile.points.size());
     for (std::size_t v = 0; v < tile.points.size(); ++v) {
@@ -52,22 +52,23 @@ void require_flat(const GltfDocument& document, const Json& primitive, const Til
 }
 
 /// Returns how far the coordinates u and v in a file may be from those of its rounded vertices.
-Vec2 texture_rounding(const Tile& tile, const std::vector<TextureCoordinate>& wanted) {
+plane::Vec2 texture_rounding(const plane::Tile& tile,
+                             const std::vector<plane::TextureCoordinate>& wanted) {
     constexpr double kEpsilon = std::numeric_limits<float>::epsilon();
     float largest = 1;
     for (const auto& [u, v] : wanted) largest = std::max({largest, std::abs(u), std::abs(v)});
-    Vec2 place = Vec2::Zero();
-    for (const Vec2& p : tile.points) place = place.cwiseMax(p.cwiseAbs());
+    plane::Vec2 place = plane::Vec2::Zero();
+    for (const plane::Vec2& p : tile.points) place = place.cwiseMax(p.cwiseAbs());
     // The inverse lattice maps the rounding of positions to that of lattice coordinates.
-    const Vec2 by_x = tile.lattice.to_lattice(Vec2(place.x(), 0)).cwiseAbs();
-    const Vec2 by_y = tile.lattice.to_lattice(Vec2(0, place.y())).cwiseAbs();
-    return kTextureUlps * kEpsilon * (Vec2::Constant(largest) + by_x + by_y);
+    const plane::Vec2 by_x = tile.lattice.to_lattice(plane::Vec2(place.x(), 0)).cwiseAbs();
+    const plane::Vec2 by_y = tile.lattice.to_lattice(plane::Vec2(0, place.y())).cwiseAbs();
+    return kTextureUlps * kEpsilon * (plane::Vec2::Constant(largest) + by_x + by_y);
 }
 
-void require_texture(const GltfDocument& document, const Json& primitive, const Tile& tile) {
+void require_texture(const GltfDocument& document, const Json& primitive, const plane::Tile& tile) {
     const auto numbers = attribute(document, primitive, "TEXCOORD_0", 2, tile.points.size());
-    const std::vector<TextureCoordinate> wanted = texture_coordinates(tile);
-    const Vec2 allowed = texture_rounding(tile, wanted);
+    const std::vector<plane::TextureCoordinate> wanted = texture_coordinates(tile);
+    const plane::Vec2 allowed = texture_rounding(tile, wanted);
     for (std::size_t v = 0; v < wanted.size(); ++v) {
         checkpoint_each(v);
         if (std::abs(double(numbers[2 * v]) - wanted[v][0]) <= allowed.x() &&
@@ -79,7 +80,7 @@ void require_texture(const GltfDocument& document, const Json& primitive, const 
     }
 }
 
-void require_colours(const GltfDocument& document, const Json& primitive, const Tile& tile) {
+void require_colours(const GltfDocument& document, const Json& primitive, const plane::Tile& tile) {
     const auto colours = attribute(document, primitive, "COLOR_0", 3, tile.points.size());
     std::vector<int> first(tile.points.size(), -1);
     for (int v = 0; v < tile.n_vertices(); ++v) {
@@ -135,9 +136,9 @@ class Outlines {
 
 /// Meets the sides of the faces that the triangles make up, without those inside of a fan, and
 /// those of no length.
-void meet_sides(const Tile& tile, Outlines& outlines) {
+void meet_sides(const plane::Tile& tile, Outlines& outlines) {
     const auto is_joined = [&](int f) {
-        if (f <= 0 || f >= tile.n_faces() || tile.kind != MeshKind::kVoronoi) return false;
+        if (f <= 0 || f >= tile.n_faces() || tile.kind != plane::MeshKind::kVoronoi) return false;
         const auto before = tile.faces[f - 1];
         const auto face = tile.faces[f];
         return tile.face_site[f] == tile.face_site[f - 1] && face[0] == before[0] &&
@@ -156,18 +157,18 @@ void meet_sides(const Tile& tile, Outlines& outlines) {
 }
 
 /// Whether float32 brings two vertices so close together that triangles or lines are left out.
-bool has_short_sides(const Tile& tile) {
+bool has_short_sides(const plane::Tile& tile) {
     double largest = 0;
-    for (const Vec2& p : tile.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    for (const plane::Vec2& p : tile.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
     const double least = kShortUlps * double(std::numeric_limits<float>::epsilon()) * largest;
-    std::vector<Vec2> points = tile.points;
-    std::sort(points.begin(), points.end(), [](const Vec2& p, const Vec2& q) {
+    std::vector<plane::Vec2> points = tile.points;
+    std::sort(points.begin(), points.end(), [](const plane::Vec2& p, const plane::Vec2& q) {
         return std::tie(p.x(), p.y()) < std::tie(q.x(), q.y());
     });
     if (std::adjacent_find(points.begin(), points.end()) != points.end()) return true;
     for (int f = 0; f < tile.n_faces(); ++f) {
         checkpoint_each(f);
-        Vec2 from = tile.points[tile.faces[f].back()];
+        plane::Vec2 from = tile.points[tile.faces[f].back()];
         for (const int v : tile.faces[f]) {
             if ((tile.points[v] - from).norm() <= least) return true;
             from = tile.points[v];
@@ -176,7 +177,8 @@ bool has_short_sides(const Tile& tile) {
     return false;
 }
 
-void require_outlines(const GltfDocument& document, const Json& primitive, const Tile& tile) {
+void require_outlines(const GltfDocument& document, const Json& primitive,
+                      const plane::Tile& tile) {
     const auto points = attribute(document, primitive, "POSITION", 3, tile.points.size());
     for (std::size_t v = 0; v < tile.points.size(); ++v) {
         checkpoint_each(v);
@@ -204,7 +206,7 @@ void require_outlines(const GltfDocument& document, const Json& primitive, const
 
 }  // namespace
 
-void require_own_attributes(const GltfDocument& document, const Tile& tile) {
+void require_own_attributes(const GltfDocument& document, const plane::Tile& tile) {
     const std::size_t n_meshes = GltfDocument::member(document.root(), "meshes").size();
     const auto first_primitive = [&](std::size_t mesh) -> const Json& {
         return GltfDocument::member(document.entry("meshes", mesh), "primitives")[0];

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/gltf/gltf_document.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -18,6 +18,6 @@ namespace pcvt {
 ///   if (is_own_gltf(document)) require_own_attributes(document, tile);
 /// @pre require_own_layout() has returned, and `tile` has the triangles of the file.
 /// @throws BadFile naming the vertex.
-void require_own_attributes(const GltfDocument& document, const Tile& tile);
+void require_own_attributes(const GltfDocument& document, const plane::Tile& tile);
 
 }  // namespace pcvt

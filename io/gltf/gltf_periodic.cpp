@@ -51,7 +51,7 @@ void read_holes(const GltfDocument& document, const Json& holes, SiteNotes& note
     }
 }
 
-void give_notes(const GltfDocument& document, SiteNotes notes, Tile& tile) {
+void give_notes(const GltfDocument& document, SiteNotes notes, plane::Tile& tile) {
     try {
         std::move(notes).give_to(tile);
     } catch (const InvalidInput& fault) {
@@ -61,7 +61,7 @@ void give_notes(const GltfDocument& document, SiteNotes notes, Tile& tile) {
 
 }  // namespace
 
-void read_site_notes(const GltfDocument& document, const Json& periodic, Tile& tile) {
+void read_site_notes(const GltfDocument& document, const Json& periodic, plane::Tile& tile) {
     SiteNotes notes{.short_edges = 0};
     bool is_stated = false;
     for (const SiteNote& note : site_notes()) {

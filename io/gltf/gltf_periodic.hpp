@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/gltf/gltf_document.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -12,6 +12,6 @@ namespace pcvt {
 ///   read_site_notes(document, periodic, tile);
 /// @param periodic  extras.periodic; null if the file has none.
 /// @throws BadFile if they are malformed, or the tile has no sites.
-void read_site_notes(const GltfDocument& document, const Json& periodic, Tile& tile);
+void read_site_notes(const GltfDocument& document, const Json& periodic, plane::Tile& tile);
 
 }  // namespace pcvt

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -11,9 +11,9 @@ namespace pcvt {
 /// Example usage:
 ///   const Vec2 translation = gltf_translation(tile);
 ///   const Tile near = moved_by(tile, -translation);
-Vec2 gltf_translation(const Tile& tile);
+plane::Vec2 gltf_translation(const plane::Tile& tile);
 
 /// Returns the tile with its points, its sites and all images of them moved.
-Tile moved_by(Tile tile, const Vec2& way);
+plane::Tile moved_by(plane::Tile tile, const plane::Vec2& way);
 
 }  // namespace pcvt

@@ -36,8 +36,8 @@ struct Finding {
     /// extras.periodic of the one node that has it.
     const Json* periodic = nullptr;
     /// That of the nodes with triangles.
-    std::optional<Vec2> translation = std::nullopt;
-    std::vector<Vec2> points;
+    std::optional<plane::Vec2> translation = std::nullopt;
+    std::vector<plane::Vec2> points;
     /// The vertices of each POSITION accessor, each read once.
     std::map<std::size_t, VertexRange> ranges;
     std::vector<int> corners;
@@ -142,7 +142,7 @@ void add_triangles(const Json& node, const Json& primitive, Finding& finding) {
 }
 
 /// Notes the translation of a node with triangles, which is the same for all of them.
-void take_translation(const Vec2& translation, Finding& finding) {
+void take_translation(const plane::Vec2& translation, Finding& finding) {
     if (finding.translation.value_or(translation) != translation) {
         finding.document.throw_bad_file(
             "two nodes have different translations; apply them before exporting");
@@ -150,7 +150,7 @@ void take_translation(const Vec2& translation, Finding& finding) {
     finding.translation = translation;
 }
 
-void add_mesh(const Json& node, const Vec2& translation, Finding& finding) {
+void add_mesh(const Json& node, const plane::Vec2& translation, Finding& finding) {
     const GltfDocument& document = finding.document;
     const Json& mesh = document.entry("meshes", document.count_in(node, "mesh"));
     const Json& primitives = GltfDocument::member(mesh, "primitives");
@@ -177,7 +177,7 @@ void visit(const SceneNode& placed, Finding& finding) {
     if (placed.node->contains("mesh")) add_mesh(*placed.node, placed.translation, finding);
 }
 
-Lattice read_lattice(const GltfDocument& document, const Json& rows) {
+plane::Lattice read_lattice(const GltfDocument& document, const Json& rows) {
     const auto is_vector = [](const Json& row) {
         return row.is_array() && row.size() == 2 && row[0].is_number() && row[1].is_number();
     };
@@ -185,7 +185,7 @@ Lattice read_lattice(const GltfDocument& document, const Json& rows) {
         document.throw_bad_file("extras.periodic.lattice is not [[ax, ay], [bx, by]]");
     }
     const auto vector = [](const Json& row) {
-        return Vec2(row[0].get<double>(), row[1].get<double>());
+        return plane::Vec2(row[0].get<double>(), row[1].get<double>());
     };
     try {
         return {vector(rows[0]), vector(rows[1])};
@@ -194,7 +194,7 @@ Lattice read_lattice(const GltfDocument& document, const Json& rows) {
     }
 }
 
-Lattice find_lattice(const Finding& finding, const std::optional<Lattice>& given) {
+plane::Lattice find_lattice(const Finding& finding, const std::optional<plane::Lattice>& given) {
     const Json& rows = finding.periodic_member("lattice");
     if (!rows.is_null()) return read_lattice(finding.document, rows);
     if (!given)
@@ -213,7 +213,7 @@ int pair_entry(const GltfDocument& document, const Json& number, int least, int 
     return static_cast<int>(value);
 }
 
-std::vector<VertexPair> read_pairs(const Finding& finding, const Json& rows) {
+std::vector<plane::VertexPair> read_pairs(const Finding& finding, const Json& rows) {
     const GltfDocument& document = finding.document;
     constexpr int kMost = std::numeric_limits<int>::max();
     if (finding.ranges.size() != 1) {
@@ -221,7 +221,7 @@ std::vector<VertexPair> read_pairs(const Finding& finding, const Json& rows) {
     }
     if (!rows.is_array()) document.throw_bad_file("extras.periodic.vertexPairs is not a list");
     const int last = static_cast<int>(finding.points.size()) - 1;
-    std::vector<VertexPair> pairs;
+    std::vector<plane::VertexPair> pairs;
     for (const Json& row : rows) {
         checkpoint();
         if (!row.is_array() || row.size() != 4) {
@@ -278,26 +278,26 @@ void read_cells(const Json& rows, Finding& finding) {
     document.throw_bad_file("extras.periodic.cellTriangles does not count all triangles");
 }
 
-MeshKind tile_kind(const Finding& finding) {
+plane::MeshKind tile_kind(const Finding& finding) {
     const auto unknown = std::count(finding.face_site.begin(), finding.face_site.end(), -1);
     const Json& kind = finding.periodic_member("kind");
     const bool grains =
-        kind.is_string() && mesh_kind_of_file_word(kind.text()) == MeshKind::kGrains;
+        kind.is_string() && plane::mesh_kind_of_file_word(kind.text()) == plane::MeshKind::kGrains;
     if (!kind.is_null() && !grains) {
         finding.document.throw_bad_file("extras.periodic.kind is not \"grains\"");
     }
-    if (unknown == 0) return grains ? MeshKind::kGrains : MeshKind::kVoronoi;
+    if (unknown == 0) return grains ? plane::MeshKind::kGrains : plane::MeshKind::kVoronoi;
     if (unknown < std::ssize(finding.face_site)) {
         finding.document.throw_bad_file(
             "some triangles belong to a cell and some do not; keep the tile only");
     }
-    return MeshKind::kDelaunay;
+    return plane::MeshKind::kDelaunay;
 }
 
 /// The translation in a file of pcvt is that of whole periods.
-void require_whole_periods(const GltfDocument& document, const Lattice& lattice,
-                           const Vec2& translation) {
-    const Vec2 periods = lattice.to_lattice(translation).array().round().matrix();
+void require_whole_periods(const GltfDocument& document, const plane::Lattice& lattice,
+                           const plane::Vec2& translation) {
+    const plane::Vec2 periods = lattice.to_lattice(translation).array().round().matrix();
     if (translation == lattice.to_plane(periods)) return;
     document.throw_bad_file(
         "the translation of its node is not a sum of whole periods; write the file again with "
@@ -310,7 +310,8 @@ bool all_known(const std::vector<SiteId>& sites) {
 
 }  // namespace
 
-TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
+TileFile decode_gltf(const std::vector<EncodedFile>& files,
+                     const std::optional<plane::Lattice>& lattice) {
     Finding finding(files.at(0));
     for (const SceneNode& node : scene_nodes(finding.document)) visit(node, finding);
     if (finding.corners.empty()) {
@@ -318,7 +319,7 @@ TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<
     }
     const Json& cells = finding.periodic_member("cellTriangles");
     if (!cells.is_null()) read_cells(cells, finding);
-    Tile tile{.lattice = find_lattice(finding, lattice), .kind = tile_kind(finding)};
+    plane::Tile tile{.lattice = find_lattice(finding, lattice), .kind = tile_kind(finding)};
     const Json& pairs = finding.periodic_member("vertexPairs");
     if (!pairs.is_null()) tile.vertex_pairs = read_pairs(finding, pairs);
     const Json& copies = finding.periodic_member("vertexCopies");
@@ -337,7 +338,7 @@ TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<
         require_whole_periods(finding.document, tile.lattice, finding.translation.value());
         require_own_attributes(finding.document, tile);
     }
-    TileFile file{std::move(tile), Precision::kSingle, !pairs.is_null(), false};
+    TileFile file{std::move(tile), plane::Precision::kSingle, !pairs.is_null(), false};
     file.translation = finding.translation.value();
     file.shown = shown_phases(file.tile, finding.materials);
     return file;

@@ -26,6 +26,7 @@ namespace pcvt {
 /// @throws BadFile if the file is damaged, turns or scales its nodes, keeps data in other files, or
 /// has
 ///                 no triangles or no lattice.
-TileFile decode_gltf(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice);
+TileFile decode_gltf(const std::vector<EncodedFile>& files,
+                     const std::optional<plane::Lattice>& lattice);
 
 }  // namespace pcvt

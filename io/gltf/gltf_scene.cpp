@@ -6,10 +6,10 @@ namespace pcvt {
 namespace {
 
 /// Returns the translation of a node itself.
-Vec2 translation_of(const Json& node, const GltfDocument& document) {
-    if (!node.contains("translation")) return Vec2::Zero();
+plane::Vec2 translation_of(const Json& node, const GltfDocument& document) {
+    if (!node.contains("translation")) return plane::Vec2::Zero();
     const Json& value = GltfDocument::member(node, "translation");
-    Vec2 translation = Vec2::Zero();
+    plane::Vec2 translation = plane::Vec2::Zero();
     bool is_vector = value.is_array() && value.size() == 3;
     for (std::size_t k = 0; is_vector && k < 3; ++k) {
         is_vector = value[k].is_number();
@@ -30,10 +30,10 @@ void require_upright(const Json& node, const GltfDocument& document) {
 /// A node to be visited, and the translation of the nodes above it.
 struct WaitingNode {
     std::size_t index;
-    Vec2 above;
+    plane::Vec2 above;
 };
 
-void push_nodes(const Json& parent, const std::string& key, const Vec2& translation,
+void push_nodes(const Json& parent, const std::string& key, const plane::Vec2& translation,
                 const GltfDocument& document, std::vector<WaitingNode>& stack) {
     const Json& children = GltfDocument::member(parent, key);
     if (children.is_null()) return;
@@ -49,7 +49,7 @@ std::vector<SceneNode> scene_nodes(const GltfDocument& document) {
     std::vector<SceneNode> nodes;
     std::vector<WaitingNode> stack;
     const std::size_t scene = document.count_in(document.root(), "scene", 0);
-    push_nodes(document.entry("scenes", scene), "nodes", Vec2::Zero(), document, stack);
+    push_nodes(document.entry("scenes", scene), "nodes", plane::Vec2::Zero(), document, stack);
     std::vector<bool> seen(GltfDocument::member(document.root(), "nodes").size());
     while (!stack.empty()) {
         const auto [index, above] = stack.back();

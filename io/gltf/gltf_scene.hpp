@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "io/gltf/gltf_document.hpp"
-#include "mesher/lattice/lattice.hpp"
+#include "mesher/plane/geometry/lattice.hpp"
 
 namespace pcvt {
 
@@ -11,7 +11,7 @@ namespace pcvt {
 struct SceneNode {
     /// An entry of the document.
     const Json* node;
-    Vec2 translation;
+    plane::Vec2 translation;
 };
 
 /// Returns the nodes of the scene that a document shows, each before the nodes below it.

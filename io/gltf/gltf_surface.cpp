@@ -26,14 +26,15 @@ std::vector<Point3> lights(const TileColours& colours) {
 }
 
 /// Returns whether each cell becomes a node.
-bool has_cell_nodes(const Tile& tile, GltfNodes nodes) {
+bool has_cell_nodes(const plane::Tile& tile, GltfNodes nodes) {
     if (nodes != GltfNodes::kBySize) return nodes == GltfNodes::kCells;
-    return tile.kind == MeshKind::kVoronoi && tile.n_faces() <= kMaxCellNodes;
+    return tile.kind == plane::MeshKind::kVoronoi && tile.n_faces() <= kMaxCellNodes;
 }
 
 /// Returns the faces with all pieces of a cell in a row, and the cells by their colour unless
 /// each is a node.
-std::vector<int> face_order(const Tile& tile, const std::vector<int>& class_of, bool cell_nodes) {
+std::vector<int> face_order(const plane::Tile& tile, const std::vector<int>& class_of,
+                            bool cell_nodes) {
     std::vector<int> order(class_of.size());
     std::iota(order.begin(), order.end(), 0);
     const auto key = [&](int f) {
@@ -44,7 +45,7 @@ std::vector<int> face_order(const Tile& tile, const std::vector<int>& class_of, 
     return order;
 }
 
-Surface cells(const Tile& tile, const TileColours& colours, bool cell_nodes,
+Surface cells(const plane::Tile& tile, const TileColours& colours, bool cell_nodes,
               const std::string& path) {
     Surface surface;
     surface.points = single_precision_points(tile, path);
@@ -63,7 +64,7 @@ Surface cells(const Tile& tile, const TileColours& colours, bool cell_nodes,
             surface.group_begin.push_back(surface.group_begin.back());
         }
         const std::size_t before = surface.indices.size();
-        if (tile.kind == MeshKind::kGrains) {
+        if (tile.kind == plane::MeshKind::kGrains) {
             surface.indices.insert(surface.indices.end(), tile.faces[f].begin(),
                                    tile.faces[f].end());
         } else {
@@ -80,7 +81,7 @@ Surface cells(const Tile& tile, const TileColours& colours, bool cell_nodes,
     return surface;
 }
 
-Surface triangles(const Tile& tile, const TileColours& colours, const std::string& path) {
+Surface triangles(const plane::Tile& tile, const TileColours& colours, const std::string& path) {
     Surface surface;
     surface.points = single_precision_points(tile, path);
     surface.indices = tile.faces.corners;
@@ -90,7 +91,7 @@ Surface triangles(const Tile& tile, const TileColours& colours, const std::strin
 
 }  // namespace
 
-Surface make_surface(const Tile& tile, const TileColours& colours, GltfNodes nodes,
+Surface make_surface(const plane::Tile& tile, const TileColours& colours, GltfNodes nodes,
                      const std::string& path) {
     if (!faces_have_sites(tile.kind)) return triangles(tile, colours, path);
     return cells(tile, colours, has_cell_nodes(tile, nodes), path);

@@ -4,7 +4,7 @@
 
 #include "io/tiles/file_options.hpp"
 #include "io/tiles/triangle_fan.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -44,7 +44,7 @@ struct Surface {
 /// for each colour.
 /// @throws CoarsePrecision naming the path if float32 cannot hold a coordinate or the area of a
 /// cell.
-Surface make_surface(const Tile& tile, const TileColours& colours, GltfNodes nodes,
+Surface make_surface(const plane::Tile& tile, const TileColours& colours, GltfNodes nodes,
                      const std::string& path);
 
 }  // namespace pcvt

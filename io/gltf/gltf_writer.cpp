@@ -19,7 +19,7 @@
 #include "io/tiles/site_notes.hpp"
 #include "mesher/base/bucket_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/tile/texture_coordinates.hpp"
+#include "mesher/plane/tile/texture_coordinates.hpp"
 
 namespace pcvt {
 namespace {
@@ -45,11 +45,12 @@ void append_list(std::string& text, const Numbers& numbers) {
 
 /// Returns extras.periodic as JSON. A tinygltf::Value would take 150 bytes per number.
 /// @param notes  the members that state the sites, each with a comma behind it.
-std::string periodic_json(const Tile& tile, const Surface& surface, const std::string& notes) {
-    const Vec2& a = tile.lattice.a();
-    const Vec2& b = tile.lattice.b();
+std::string periodic_json(const plane::Tile& tile, const Surface& surface,
+                          const std::string& notes) {
+    const plane::Vec2& a = tile.lattice.a();
+    const plane::Vec2& b = tile.lattice.b();
     std::string text = "{";
-    if (tile.kind == MeshKind::kGrains) text += "\"kind\":\"" + file_word(tile.kind) + "\",";
+    if (tile.kind == plane::MeshKind::kGrains) text += "\"kind\":\"" + file_word(tile.kind) + "\",";
     // Lattice, cells, pairs.
     text += "\"lattice\":[";
     append_list(text, a);
@@ -67,7 +68,7 @@ std::string periodic_json(const Tile& tile, const Surface& surface, const std::s
         text += ',';
     }
     text += "\"vertexPairs\":[";
-    for (const VertexPair& pair : tile.vertex_pairs) {
+    for (const plane::VertexPair& pair : tile.vertex_pairs) {
         append_list(text, std::array{pair.v, pair.w, pair.offset.i, pair.offset.j});
         text += ',';
     }
@@ -84,12 +85,12 @@ std::vector<Point3> lifted(const std::vector<Point32>& points, float z) {
 }
 
 /// Returns the texture coordinates in glTF's orientation.
-std::vector<TextureCoordinate> downward(std::vector<TextureCoordinate> coordinates) {
+std::vector<plane::TextureCoordinate> downward(std::vector<plane::TextureCoordinate> coordinates) {
     for (auto& [u, v] : coordinates) v = 1 - v;
     return coordinates;
 }
 
-void add_triangles(const Tile& tile, const Surface& surface, tinygltf::Primitive primitive,
+void add_triangles(const plane::Tile& tile, const Surface& surface, tinygltf::Primitive primitive,
                    ModelBuilder& builder) {
     const std::vector<float> sites(tile.vertex_site.begin(), tile.vertex_site.end());
     primitive.attributes["COLOR_0"] =
@@ -121,7 +122,7 @@ void add_cells(const Surface& surface, const TileColours& colours, tinygltf::Pri
     if (surface.is_one_node()) builder.add_node("cells", std::move(primitives));
 }
 
-void add_surface(const Tile& tile, const Surface& surface, const TileColours& colours,
+void add_surface(const plane::Tile& tile, const Surface& surface, const TileColours& colours,
                  ModelBuilder& builder) {
     // All primitives share the attributes of vertices.
     tinygltf::Primitive primitive;
@@ -139,7 +140,7 @@ void add_surface(const Tile& tile, const Surface& surface, const TileColours& co
 }
 
 /// Returns the ends of each edge in rising order, without edges that float32 collapses.
-std::vector<int> edge_ends(const Tile& tile, const std::vector<Point32>& points) {
+std::vector<int> edge_ends(const plane::Tile& tile, const std::vector<Point32>& points) {
     std::vector<std::array<int, 2>> edges;
     edges.reserve(tile.faces.corners.size());
     for (int f = 0; f < tile.n_faces(); ++f) {
@@ -162,7 +163,7 @@ std::vector<int> edge_ends(const Tile& tile, const std::vector<Point32>& points)
     return ends;
 }
 
-void add_outlines(const Tile& tile, const Surface& surface, ModelBuilder& builder) {
+void add_outlines(const plane::Tile& tile, const Surface& surface, ModelBuilder& builder) {
     const std::vector<Point32>& points = surface.points;
     // Lift the lines above the surface.
     float size = 0;
@@ -202,7 +203,7 @@ int add_site_note(const StatedNote& stated, ModelBuilder& builder) {
 }
 
 /// Adds the notes of the sites. @returns the members of extras.periodic.
-std::string add_site_notes(const Tile& tile, ModelBuilder& builder) {
+std::string add_site_notes(const plane::Tile& tile, ModelBuilder& builder) {
     std::string text;
     for (const StatedNote& stated : stated_notes(tile)) {
         text += '"' + std::string(stated.note->member) + "\":";
@@ -219,14 +220,14 @@ std::string add_site_notes(const Tile& tile, ModelBuilder& builder) {
 }
 
 /// @returns the member of extras.periodic that lists the edges of the holes by their names.
-std::string hole_edges(const Tile& tile) {
+std::string hole_edges(const plane::Tile& tile) {
     if (tile.holes.empty()) return {};
     std::string text = "\"holes\":{";
     for (std::size_t k = 0; k < tile.holes.size(); ++k) {
         append_json_string(text, tile.holes[k]);
         text += ":[";
         for (const auto& [wall, v, w] : tile.wall_edges) {
-            if (wall != WallId::hole(static_cast<int>(k))) continue;
+            if (wall != plane::WallId::hole(static_cast<int>(k))) continue;
             append_list(text, std::array{v, w});
             text += ',';
         }
@@ -247,7 +248,8 @@ struct ModelParts {
 };
 
 /// @param tile  near 0.
-ModelParts make_model(const Tile& tile, const FileOptions& options, const std::string& path) {
+ModelParts make_model(const plane::Tile& tile, const FileOptions& options,
+                      const std::string& path) {
     const std::vector<SiteId>& sites =
         faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
     if (*std::max_element(sites.begin(), sites.end()) >= kMaxFloatSite) {
@@ -257,11 +259,12 @@ ModelParts make_model(const Tile& tile, const FileOptions& options, const std::s
         tile_colours(tile, options.colouring.value_or(Colouring::kSides), options.quantities());
     const Surface surface = make_surface(tile, colours, options.gltf_nodes, path);
     // Reserve up to five attributes per vertex, the outlines, and the positions of the sites.
-    ModelBuilder builder(surface.points.size() *
-                             (3 * sizeof(Point3) + sizeof(TextureCoordinate) + sizeof(float)) +
-                         tile.points.size() * sizeof(Point3) + sites.size() * sizeof(Point32) +
-                         tile.site_weights.size() * sizeof(float) +
-                         (surface.indices.size() + 2 * tile.faces.corners.size()) * sizeof(int));
+    ModelBuilder builder(
+        surface.points.size() *
+            (3 * sizeof(Point3) + sizeof(plane::TextureCoordinate) + sizeof(float)) +
+        tile.points.size() * sizeof(Point3) + sites.size() * sizeof(Point32) +
+        tile.site_weights.size() * sizeof(float) +
+        (surface.indices.size() + 2 * tile.faces.corners.size()) * sizeof(int));
     add_surface(tile, surface, colours, builder);
     add_outlines(tile, surface, builder);
     const std::string notes = add_site_notes(tile, builder) + hole_edges(tile);
@@ -272,11 +275,11 @@ ModelParts make_model(const Tile& tile, const FileOptions& options, const std::s
     return {std::move(builder.model()), std::move(buffer), periodic_json(tile, surface, notes)};
 }
 
-std::vector<EncodedFile> encode(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode(const plane::Tile& tile, const FileOptions& options,
                                 const std::string& path, Container container) {
     require_finite(tile);
-    const Vec2 translation = gltf_translation(tile);
-    const bool is_near = translation == Vec2::Zero();
+    const plane::Vec2 translation = gltf_translation(tile);
+    const bool is_near = translation == plane::Vec2::Zero();
     ModelParts parts = make_model(is_near ? tile : moved_by(tile, -translation), options, path);
     if (!is_near) parts.model.nodes[0].translation = {translation.x(), translation.y(), 0};
     const bool is_text = container == Container::kText;
@@ -287,12 +290,12 @@ std::vector<EncodedFile> encode(const Tile& tile, const FileOptions& options,
 
 }  // namespace
 
-std::vector<EncodedFile> encode_gltf(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_gltf(const plane::Tile& tile, const FileOptions& options,
                                      const std::string& path) {
     return encode(tile, options, path, Container::kText);
 }
 
-std::vector<EncodedFile> encode_glb(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_glb(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path) {
     return encode(tile, options, path, Container::kBinary);
 }

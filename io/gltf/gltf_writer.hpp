@@ -2,7 +2,7 @@
 
 #include "io/tiles/encoded_file.hpp"
 #include "io/tiles/file_options.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -43,9 +43,9 @@ namespace pcvt {
 ///
 /// @throws CoarsePrecision  naming the path if float32 cannot hold the tile.
 /// @throws LimitExceeded  naming the path if there are more sites or bytes than glTF can count.
-std::vector<EncodedFile> encode_gltf(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_gltf(const plane::Tile& tile, const FileOptions& options,
                                      const std::string& path);
-std::vector<EncodedFile> encode_glb(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_glb(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path);
 
 /// Viewers slow down beyond about this number of nodes.

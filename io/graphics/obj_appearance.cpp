@@ -8,7 +8,7 @@
 
 #include "io/bytes/bad_file.hpp"
 #include "io/bytes/text.hpp"
-#include "mesher/tile/tile_valence.hpp"
+#include "mesher/plane/tile/tile_valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -17,7 +17,7 @@ constexpr const char* kRemedy = "; write the file again with pcvt";
 /// Texture coordinates are compared within this many ulps of the largest.
 constexpr float kUlps = 4;
 
-void require_coordinates(const Tile& tile, const ObjAppearance& appearance,
+void require_coordinates(const plane::Tile& tile, const ObjAppearance& appearance,
                          const std::string& path) {
     if (appearance.coordinates.empty() && !appearance.has_corners) return;
     if (appearance.other_index_line > 0) {
@@ -27,7 +27,7 @@ void require_coordinates(const Tile& tile, const ObjAppearance& appearance,
     if (!appearance.has_corners || appearance.coordinates.size() != tile.points.size()) {
         throw BadFile(path + ": there is not one texture coordinate for each vertex" + kRemedy);
     }
-    const std::vector<TextureCoordinate> wanted = texture_coordinates(tile);
+    const std::vector<plane::TextureCoordinate> wanted = texture_coordinates(tile);
     float largest = 1;
     for (const auto& [u, v] : wanted) largest = std::max({largest, std::abs(u), std::abs(v)});
     const float allowed = kUlps * std::numeric_limits<float>::epsilon() * largest;
@@ -101,16 +101,17 @@ int named_sides(std::string_view name) {
 }
 
 /// Whether the site of a face lies on a wall, which cuts its cell.
-bool is_on_wall(const Tile& tile, SiteId site) {
+bool is_on_wall(const plane::Tile& tile, SiteId site) {
     if (site < 0 || static_cast<std::size_t>(site) >= tile.site_positions.size()) return false;
-    return std::any_of(kWallSides.begin(), kWallSides.end(), [&](const WallSideRow& row) {
-        return has_walls_across(tile.walls, row.axis) &&
-               tile.site_positions[site][row.axis] == wall_line(row.side, tile.lattice);
-    });
+    return std::any_of(
+        plane::kWallSides.begin(), plane::kWallSides.end(), [&](const plane::WallSideRow& row) {
+            return has_walls_across(tile.walls, row.axis) &&
+                   tile.site_positions[site][row.axis] == wall_line(row.side, tile.lattice);
+        });
 }
 
 /// Returns the number of the material of each face.
-std::vector<int> materials_of_faces(const Tile& tile, const ObjAppearance& appearance,
+std::vector<int> materials_of_faces(const plane::Tile& tile, const ObjAppearance& appearance,
                                     const std::string& path) {
     std::map<std::string_view, int> number;
     std::vector<int> of_face(static_cast<std::size_t>(tile.n_faces()), -1);
@@ -129,7 +130,8 @@ std::vector<int> materials_of_faces(const Tile& tile, const ObjAppearance& appea
     return of_face;
 }
 
-void require_materials(const Tile& tile, const ObjAppearance& appearance, const std::string& path) {
+void require_materials(const plane::Tile& tile, const ObjAppearance& appearance,
+                       const std::string& path) {
     const std::vector<int> of_face = materials_of_faces(tile, appearance, path);
     const auto throw_other = [&](int f) {
         throw BadFile(path + ": face " + std::to_string(f + 1) +
@@ -140,7 +142,7 @@ void require_materials(const Tile& tile, const ObjAppearance& appearance, const 
         return;
     }
     // Where short edges were removed, the copies of a cell may have different numbers of sides.
-    const bool is_moved = tile.kind == MeshKind::kGrains || tile.short_edges > 0;
+    const bool is_moved = tile.kind == plane::MeshKind::kGrains || tile.short_edges > 0;
     if (is_moved && tile.columns * tile.rows != 1) return;
     std::vector<int> of_site(of_face.size(), -1);
     for (int f = 0; f < tile.n_faces(); ++f) {
@@ -152,7 +154,7 @@ void require_materials(const Tile& tile, const ObjAppearance& appearance, const 
     }
     // Pieces and grains have the number of sides of the whole cell.
     const bool are_whole =
-        tile.kind == MeshKind::kVoronoi && tile.columns > 0 &&
+        tile.kind == plane::MeshKind::kVoronoi && tile.columns > 0 &&
         tile.face_site.size() == tile.site_positions.size() * tile.columns * tile.rows;
     if (!are_whole) return;
     const std::vector<int> sides = cell_sides(tile);
@@ -191,7 +193,7 @@ std::vector<std::string> material_names(const ObjAppearance& appearance, int n_f
     return names;
 }
 
-void require_own_appearance(const Tile& tile, const ObjAppearance& appearance,
+void require_own_appearance(const plane::Tile& tile, const ObjAppearance& appearance,
                             const std::string& path, const EncodedFile* materials) {
     require_coordinates(tile, appearance, path);
     if (appearance.materials.empty() && appearance.libraries.empty()) return;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/tile/texture_coordinates.hpp"
+#include "mesher/plane/tile/texture_coordinates.hpp"
 
 namespace pcvt {
 
@@ -18,7 +18,7 @@ struct ObjAppearance {
     };
 
     /// One per `vt`.
-    std::vector<TextureCoordinate> coordinates = {};
+    std::vector<plane::TextureCoordinate> coordinates = {};
     /// Whether a corner of a face names a texture coordinate.
     bool has_corners = false;
     /// The line of the first corner whose texture coordinate has another index than its vertex; 0
@@ -42,7 +42,7 @@ std::vector<std::string> material_names(const ObjAppearance& appearance, int n_f
 /// A file without texture coordinates, materials or a material file lacks them altogether.
 /// @param materials  the .mtl file beside the OBJ; nullptr if there is none.
 /// @throws BadFile naming `path` or the material file.
-void require_own_appearance(const Tile& tile, const ObjAppearance& appearance,
+void require_own_appearance(const plane::Tile& tile, const ObjAppearance& appearance,
                             const std::string& path, const EncodedFile* materials);
 
 }  // namespace pcvt

@@ -80,7 +80,7 @@ class ObjParser {
     static std::string_view word_of(Words words) { return words.size() == 1 ? words[0] : ""; }
 
     void parse_texture(Words words) {
-        TextureCoordinate& coordinate = appearance_.coordinates.emplace_back();
+        plane::TextureCoordinate& coordinate = appearance_.coordinates.emplace_back();
         for (std::size_t k = 0; k < std::min(words.size(), coordinate.size()); ++k) {
             coordinate[k] = static_cast<float>(scanner_.number(words[k]));
         }
@@ -201,7 +201,8 @@ void compare_seam(const FileTileBuilder& file, const Seam& seam, const std::stri
 
 }  // namespace
 
-TileFile decode_obj(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
+TileFile decode_obj(const std::vector<EncodedFile>& files,
+                    const std::optional<plane::Lattice>& lattice) {
     const EncodedFile& obj = files.front();
     refuse_binary(obj.path, obj.bytes, "give a Wavefront OBJ");
     ObjParser parser(obj.path, obj.bytes);
@@ -218,7 +219,7 @@ TileFile decode_obj(const std::vector<EncodedFile>& files, const std::optional<L
             take_seam(builder, std::move(seam));
         }
     }
-    TileFile file = finish(std::move(builder), lattice, Precision::kDouble);
+    TileFile file = finish(std::move(builder), lattice, plane::Precision::kDouble);
     // The appearance of files of other programs is free.
     if (is_own) require_own_appearance(file.tile, parser.appearance(), obj.path, materials);
     file.shown = shown_phases(file.tile, material_names(parser.appearance(), file.tile.n_faces()));

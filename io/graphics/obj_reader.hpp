@@ -22,6 +22,7 @@ namespace pcvt {
 ///     const TileProof proof = prove_tile(file.tile, file.precision);
 ///
 /// @throws BadFile with the line.
-TileFile decode_obj(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice);
+TileFile decode_obj(const std::vector<EncodedFile>& files,
+                    const std::optional<plane::Lattice>& lattice);
 
 }  // namespace pcvt

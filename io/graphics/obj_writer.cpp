@@ -14,7 +14,7 @@
 #include "io/tiles/site_orbits.hpp"
 #include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/tile/texture_coordinates.hpp"
+#include "mesher/plane/tile/texture_coordinates.hpp"
 
 namespace pcvt {
 namespace {
@@ -45,7 +45,7 @@ void append_words(std::string& text, std::initializer_list<Number> numbers) {
 }
 
 /// Returns the colours of the faces, which are materials. Triangles have one.
-TileColours material_colours(const Tile& tile, const FileOptions& options) {
+TileColours material_colours(const plane::Tile& tile, const FileOptions& options) {
     if (faces_have_sites(tile.kind)) {
         const Colouring colouring = options.colouring.value_or(Colouring::kSides);
         return tile_colours(tile, colouring, options.quantities());
@@ -57,8 +57,8 @@ TileColours material_colours(const Tile& tile, const FileOptions& options) {
 }
 
 /// Returns the tile with its faces in the order `order`.
-Tile with_faces_in_order(const Tile& tile, const std::vector<int>& order) {
-    Tile sorted = tile;
+plane::Tile with_faces_in_order(const plane::Tile& tile, const std::vector<int>& order) {
+    plane::Tile sorted = tile;
     sorted.faces = {};
     sorted.face_site.clear();
     sorted.faces.begin.reserve(tile.faces.begin.size());
@@ -68,7 +68,8 @@ Tile with_faces_in_order(const Tile& tile, const std::vector<int>& order) {
         sorted.faces.add(tile.faces[f]);
         if (!tile.face_site.empty()) sorted.face_site.push_back(tile.face_site[f]);
     }
-    for (std::vector<Vec2> Tile::*const points : {&Tile::site_points, &Tile::grain_site_points}) {
+    for (std::vector<plane::Vec2> plane::Tile::*const points :
+         {&plane::Tile::site_points, &plane::Tile::grain_site_points}) {
         if ((tile.*points).size() != order.size()) continue;
         for (std::size_t k = 0; k < order.size(); ++k)
             (sorted.*points)[k] = (tile.*points)[order[k]];
@@ -76,18 +77,18 @@ Tile with_faces_in_order(const Tile& tile, const std::vector<int>& order) {
     return sorted;
 }
 
-void append_seam(std::string& text, const Tile& tile) {
+void append_seam(std::string& text, const plane::Tile& tile) {
     // Kind and lattice.
-    const Vec2& a = tile.lattice.a();
-    const Vec2& b = tile.lattice.b();
+    const plane::Vec2& a = tile.lattice.a();
+    const plane::Vec2& b = tile.lattice.b();
     text += "# pcvt kind " + file_word(tile.kind) + "\n# pcvt lattice";
     append_words(text, {a.x(), a.y(), b.x(), b.y()});
     // Pairs, with vertices counted from 1.
-    for (const VertexPair& p : tile.vertex_pairs) {
+    for (const plane::VertexPair& p : tile.vertex_pairs) {
         text += "# pcvt vertex_pair";
         append_words(text, {p.v + 1, p.w + 1, p.offset.i, p.offset.j});
     }
-    for (const EdgePair& p : tile.edge_pairs) {
+    for (const plane::EdgePair& p : tile.edge_pairs) {
         text += "# pcvt edge_pair";
         append_words(text, {p.v0 + 1, p.v1 + 1, p.w0 + 1, p.w1 + 1, p.offset.i, p.offset.j});
     }
@@ -102,8 +103,8 @@ void append_seam(std::string& text, const Tile& tile) {
     append_note_comments(text, "# pcvt ", tile, 1);
 }
 
-std::string obj_text(const Tile& tile, const TileColours& colours, const std::string& material_file,
-                     std::span<const int> site_orbits) {
+std::string obj_text(const plane::Tile& tile, const TileColours& colours,
+                     const std::string& material_file, std::span<const int> site_orbits) {
     const std::vector<int>& material = colours.class_of;
     // Memory that is reserved and not used costs nothing, in contrast to a text that is moved.
     std::string text;
@@ -117,7 +118,7 @@ std::string obj_text(const Tile& tile, const TileColours& colours, const std::st
     append_seam(text, tile);
     append_site_orbits(text, "# pcvt ", site_orbits);
     text += "mtllib " + material_file + "\n";
-    for (const Vec2& p : tile.points) {
+    for (const plane::Vec2& p : tile.points) {
         text += 'v';
         append_words(text, {p.x(), p.y(), 0.0});
     }
@@ -159,7 +160,7 @@ std::vector<std::string> obj_paths(const std::string& path) {
             std::filesystem::path(path).replace_extension(".seam.json").string()};
 }
 
-std::vector<EncodedFile> encode_obj(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_obj(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path) {
     require_finite(tile);
     TileColours colours = material_colours(tile, options);
@@ -168,7 +169,7 @@ std::vector<EncodedFile> encode_obj(const Tile& tile, const FileOptions& options
     std::iota(order.begin(), order.end(), 0);
     cancellable_stable_sort(order.begin(), order.end(),
                             [&](int f, int g) { return material[f] < material[g]; });
-    const Tile sorted = with_faces_in_order(tile, order);
+    const plane::Tile sorted = with_faces_in_order(tile, order);
     std::sort(material.begin(), material.end());
     const std::vector<std::string> paths = obj_paths(path);
     const std::string material_file = std::filesystem::path(paths[1]).filename().string();

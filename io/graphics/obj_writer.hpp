@@ -5,7 +5,7 @@
 
 #include "io/tiles/encoded_file.hpp"
 #include "io/tiles/file_options.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -19,8 +19,8 @@ std::vector<std::string> obj_paths(const std::string& path);
 ///
 /// Faces are grouped by material, in the order of TileColours, and keep their order within a group;
 /// vertices keep theirs. Vertex k has the texture coordinate k, its lattice coordinates
-/// (mesher/tile/texture_coordinates.hpp). The comments count vertices from 1, as the faces do; the
-/// sidecar counts from 0.
+/// (mesher/plane/tile/texture_coordinates.hpp). The comments count vertices from 1, as the faces
+/// do; the sidecar counts from 0.
 ///
 /// Example usage:
 ///     for (const EncodedFile& file : encode_obj(tile, {}, "tile.obj")) {
@@ -28,7 +28,7 @@ std::vector<std::string> obj_paths(const std::string& path);
 ///     }
 ///
 /// @throws InternalError if a coordinate is not finite.
-std::vector<EncodedFile> encode_obj(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_obj(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path);
 
 }  // namespace pcvt

@@ -68,11 +68,11 @@ std::string encode(const Mesh& mesh, const std::string& path) {
 
 }  // namespace
 
-std::string encode_om_mesh(const CellMesh& mesh, const std::string& path) {
+std::string encode_om_mesh(const plane::CellMesh& mesh, const std::string& path) {
     return encode(mesh, path);
 }
 
-std::string encode_om_mesh(const TriangleMesh& mesh, const std::string& path) {
+std::string encode_om_mesh(const plane::TriangleMesh& mesh, const std::string& path) {
     return encode(mesh, path);
 }
 

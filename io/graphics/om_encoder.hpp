@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "mesher/tile/openmesh_properties.hpp"
+#include "mesher/plane/tile/openmesh_properties.hpp"
 
 namespace pcvt {
 
@@ -14,7 +14,7 @@ namespace pcvt {
 ///
 /// @param path  for messages.
 /// @throws InternalError if OpenMesh fails.
-std::string encode_om_mesh(const CellMesh& mesh, const std::string& path);
-std::string encode_om_mesh(const TriangleMesh& mesh, const std::string& path);
+std::string encode_om_mesh(const plane::CellMesh& mesh, const std::string& path);
+std::string encode_om_mesh(const plane::TriangleMesh& mesh, const std::string& path);
 
 }  // namespace pcvt

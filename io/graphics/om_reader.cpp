@@ -6,7 +6,7 @@
 #include "io/graphics/om_mesh.hpp"
 #include "io/tiles/site_notes.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/tile/tile_holes.hpp"
+#include "mesher/plane/tile/tile_holes.hpp"
 
 namespace pcvt {
 namespace {
@@ -17,8 +17,9 @@ class OmParser : OmMesh {
     OmParser(const std::string& name, std::string_view bytes) : OmMesh(name, bytes) {}
 
     TileFile parse() {
-        const MeshKind kind = has_triangles() ? MeshKind::kDelaunay : MeshKind::kVoronoi;
-        Tile tile{.lattice = lattice(), .kind = kind};
+        const plane::MeshKind kind =
+            has_triangles() ? plane::MeshKind::kDelaunay : plane::MeshKind::kVoronoi;
+        plane::Tile tile{.lattice = lattice(), .kind = kind};
         for (const auto& [x, y, z] : points()) {
             if (z != 0) throw_bad_file("has a vertex that is not in the plane z = 0");
             tile.points.emplace_back(x, y);
@@ -28,25 +29,25 @@ class OmParser : OmMesh {
         read_partners(tile);
         read_sites(tile);
         read_holes(tile);
-        return {std::move(tile), Precision::kDouble, true, true};
+        return {std::move(tile), plane::Precision::kDouble, true, true};
     }
 
    private:
-    Lattice lattice() const {
+    plane::Lattice lattice() const {
         const std::vector<double> n = numbers("pcvt_lattice");
         if (n.size() != 4) throw_bad_file("has too little or too much pcvt_lattice");
         try {
-            return {Vec2(n[0], n[1]), Vec2(n[2], n[3])};
+            return {plane::Vec2(n[0], n[1]), plane::Vec2(n[2], n[3])};
         } catch (const InvalidInput& fault) {
             throw_other_fault(fault);
         }
     }
 
-    void read_sites(Tile& tile) const {
+    void read_sites(plane::Tile& tile) const {
         std::vector<int> of_faces = integers("pcvt_face_site", 1, n_faces());
         std::vector<int> of_vertices = integers("pcvt_vertex_site", 1, n_vertices());
         // A mesh of triangles with face sites holds grains.
-        if (has_triangles() && of_faces[0] >= 0) tile.kind = MeshKind::kGrains;
+        if (has_triangles() && of_faces[0] >= 0) tile.kind = plane::MeshKind::kGrains;
         const bool owned = faces_have_sites(tile.kind);
         for (const int site : owned ? of_vertices : of_faces) {
             if (site != -1) throw_bad_file("has sites of faces and of vertices");
@@ -70,7 +71,7 @@ class OmParser : OmMesh {
         std::move(notes).give_to(tile);
     }
 
-    void read_holes(Tile& tile) const {
+    void read_holes(plane::Tile& tile) const {
         if (!has_property("pcvt_holes")) return;
         try {
             take_holes(numbers("pcvt_holes"), tile);
@@ -100,7 +101,7 @@ class OmParser : OmMesh {
         return static_cast<int>(n);
     }
 
-    void read_orbits(Tile& tile) const {
+    void read_orbits(plane::Tile& tile) const {
         const std::vector<int> orbit = integers("pcvt_orbit", 1, n_vertices());
         const std::vector<int> offset = offsets("pcvt_orbit_offset", 2, n_vertices());
         for (std::size_t v = 0; v < n_vertices(); ++v) {
@@ -114,26 +115,26 @@ class OmParser : OmMesh {
         }
     }
 
-    void read_partners(Tile& tile) const {
+    void read_partners(plane::Tile& tile) const {
         const std::vector<int> partner = integers("pcvt_partner", 1, n_halfedges());
         const std::vector<int> offset = offsets("pcvt_partner_offset", 2, n_halfedges());
         const bool has_walls = has_entries("pcvt_walls") || has_entries("pcvt_holes");
         for (std::size_t h = 0; h < n_halfedges(); ++h) {
             checkpoint_each(h);
-            const Offset across{offset[2 * h], offset[2 * h + 1]};
+            const plane::Offset across{offset[2 * h], offset[2 * h + 1]};
             // Boundary edges on walls have no partner; the proof finds them.
-            if (has_walls && partner[h] == -1 && across == Offset{}) continue;
+            if (has_walls && partner[h] == -1 && across == plane::Offset{}) continue;
             if (is_boundary(h) != (partner[h] >= 0) || partner[h] < -1 ||
-                (across != Offset{}) != is_boundary(h)) {
+                (across != plane::Offset{}) != is_boundary(h)) {
                 throw_bad_file("has partners that are not those of the boundary");
             }
             if (partner[h] < 0) continue;
             const std::size_t p = checked(partner[h], n_halfedges());
-            const Offset back{offset[2 * p], offset[2 * p + 1]};
-            if (partner[p] != static_cast<int>(h) || across + back != Offset{}) {
+            const plane::Offset back{offset[2 * p], offset[2 * p + 1]};
+            if (partner[p] != static_cast<int>(h) || across + back != plane::Offset{}) {
                 throw_bad_file("has a boundary edge whose partner has another partner");
             }
-            if (across < Offset{}) continue;
+            if (across < plane::Offset{}) continue;
             tile.edge_pairs.push_back({.v0 = to_vertex(h),
                                        .v1 = from_vertex(h),
                                        .w0 = from_vertex(p),
@@ -145,7 +146,7 @@ class OmParser : OmMesh {
 
 }  // namespace
 
-TileFile decode_om(const std::vector<EncodedFile>& files, const std::optional<Lattice>&) {
+TileFile decode_om(const std::vector<EncodedFile>& files, const std::optional<plane::Lattice>&) {
     return OmParser(files.front().path, files.front().bytes).parse();
 }
 

@@ -12,7 +12,7 @@ namespace pcvt {
 /// input; this reader checks that indices are in range, that partners are mutual and that chunks
 /// have their stated length.
 ///
-/// Faces, vertices and seam come back as tile() returns them (mesher/tile/openmesh_tile.hpp).
+/// Faces, vertices and seam come back as tile() returns them (mesher/plane/tile/openmesh_tile.hpp).
 ///
 /// Example usage:
 ///     const TileFile file = decode_om({{"tile.om", read_whole_file("tile.om")}}, std::nullopt);
@@ -20,6 +20,7 @@ namespace pcvt {
 ///
 /// @param lattice  has no effect: encode_om() always stores the lattice.
 /// @throws BadFile naming the fault, also for an `.om` file without the identification.
-TileFile decode_om(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice);
+TileFile decode_om(const std::vector<EncodedFile>& files,
+                   const std::optional<plane::Lattice>& lattice);
 
 }  // namespace pcvt

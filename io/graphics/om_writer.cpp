@@ -2,11 +2,11 @@
 
 #include "io/graphics/om_encoder.hpp"
 #include "io/tiles/finite.hpp"
-#include "mesher/tile/openmesh_tile.hpp"
+#include "mesher/plane/tile/openmesh_tile.hpp"
 
 namespace pcvt {
 
-std::vector<EncodedFile> encode_om(const Tile& tile, const std::string& path) {
+std::vector<EncodedFile> encode_om(const plane::Tile& tile, const std::string& path) {
     require_finite(tile);
     return only_file(path,
                      std::visit([&](const auto& any) { return encode_om_mesh(any.mesh, path); },

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -18,6 +18,6 @@ namespace pcvt {
 ///
 /// @throws InvalidInput  as openmesh_tile().
 /// @throws InternalError if a coordinate is not finite, or OpenMesh fails to write.
-std::vector<EncodedFile> encode_om(const Tile& tile, const std::string& path);
+std::vector<EncodedFile> encode_om(const plane::Tile& tile, const std::string& path);
 
 }  // namespace pcvt

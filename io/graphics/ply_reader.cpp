@@ -103,7 +103,9 @@ class PlyParser {
         return std::move(file_);
     }
 
-    Precision precision() const { return is_single_ ? Precision::kSingle : Precision::kDouble; }
+    plane::Precision precision() const {
+        return is_single_ ? plane::Precision::kSingle : plane::Precision::kDouble;
+    }
 
    private:
     enum class Type { kInteger, kNumber, kIntegerList };
@@ -254,14 +256,14 @@ class PlyParser {
     void add_orbit(const PlyValues& values) {
         const int orbit = values.integer("orbit");
         const int v = static_cast<int>(file_.points.size()) - 1;
-        const Offset offset{values.integer("offset_i"), values.integer("offset_j")};
+        const plane::Offset offset{values.integer("offset_i"), values.integer("offset_j")};
         if (orbit < 0 || orbit >= n_vertices_) {
             scanner_.throw_bad_file("orbit " + std::to_string(orbit) +
                                     " is not a vertex; correct the index");
         }
         if (orbit != v) {
             file_.vertex_pairs.push_back({orbit, v, offset});
-        } else if (offset != Offset{}) {
+        } else if (offset != plane::Offset{}) {
             scanner_.throw_bad_file(
                 "a vertex has an offset to itself; write the file again with pcvt");
         }
@@ -285,7 +287,8 @@ class PlyParser {
 
 }  // namespace
 
-TileFile decode_ply(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
+TileFile decode_ply(const std::vector<EncodedFile>& files,
+                    const std::optional<plane::Lattice>& lattice) {
     PlyParser parser(files.front().path, files.front().bytes);
     FileTileBuilder file = parser.parse();
     return finish(std::move(file), lattice, parser.precision());

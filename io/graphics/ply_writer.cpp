@@ -42,11 +42,12 @@ std::vector<std::string> class_words(const TileColours& colours) {
 void end_line(std::string& text) { text.back() = '\n'; }
 
 /// @param notes  of the tile and of its sites.
-std::string header(const Tile& tile, const std::vector<StatedNote>& notes, bool single_precision) {
+std::string header(const plane::Tile& tile, const std::vector<StatedNote>& notes,
+                   bool single_precision) {
     // Kind and lattice are comments.
     const bool owned = faces_have_sites(tile.kind);
-    const Vec2& a = tile.lattice.a();
-    const Vec2& b = tile.lattice.b();
+    const plane::Vec2& a = tile.lattice.a();
+    const plane::Vec2& b = tile.lattice.b();
     std::string text =
         "ply\nformat ascii 1.0\ncomment A periodic tile, written by pcvt\n"
         "comment position = position(orbit) + offset_i a + offset_j b, lattice ax ay bx by\n"
@@ -88,21 +89,21 @@ void append_real(std::string& text, double x, bool single_precision) {
     single_precision ? append_word(text, static_cast<float>(x)) : append_word(text, x);
 }
 
-void append_coordinates(std::string& text, const Vec2& p, bool single_precision) {
+void append_coordinates(std::string& text, const plane::Vec2& p, bool single_precision) {
     for (const double x : p) append_real(text, x, single_precision);
 }
 
-void append_vertices(std::string& text, const Tile& tile, const TileColours& colours,
+void append_vertices(std::string& text, const plane::Tile& tile, const TileColours& colours,
                      bool single_precision) {
     const bool owned = faces_have_sites(tile.kind);
     // Delaunay triangles have coloured vertices.
     const std::string plain = words(kPlain);
     const std::vector<std::string> coloured = class_words(colours);
     // A vertex without a pair is its own representative.
-    std::vector<VertexPair> orbits;
+    std::vector<plane::VertexPair> orbits;
     orbits.reserve(tile.points.size());
     for (int v = 0; v < tile.n_vertices(); ++v) orbits.push_back({v, v, {}});
-    for (const VertexPair& pair : tile.vertex_pairs) orbits[pair.w] = pair;
+    for (const plane::VertexPair& pair : tile.vertex_pairs) orbits[pair.w] = pair;
     // One vertex per line.
     for (int v = 0; v < tile.n_vertices(); ++v) {
         checkpoint_each(v);
@@ -117,7 +118,7 @@ void append_vertices(std::string& text, const Tile& tile, const TileColours& col
     }
 }
 
-void append_faces(std::string& text, const Tile& tile, const TileColours& colours) {
+void append_faces(std::string& text, const plane::Tile& tile, const TileColours& colours) {
     const bool owned = faces_have_sites(tile.kind);
     const std::string plain = words(kPlain);
     const std::vector<std::string> coloured = class_words(colours);
@@ -133,7 +134,7 @@ void append_faces(std::string& text, const Tile& tile, const TileColours& colour
     }
 }
 
-std::string ply_text(const Tile& tile, const TileColours& colours,
+std::string ply_text(const plane::Tile& tile, const TileColours& colours,
                      const std::vector<StatedNote>& notes, bool single_precision) {
     std::string text = header(tile, notes, single_precision);
     append_vertices(text, tile, colours, single_precision);
@@ -148,10 +149,10 @@ std::string ply_text(const Tile& tile, const TileColours& colours,
 
 /// Returns the tile with its cells as triangles.
 /// @param class_of  the class of the colour of each face; changes with the faces.
-Tile narrowed(const Tile& tile, std::vector<int>& class_of, const std::string& path) {
+plane::Tile narrowed(const plane::Tile& tile, std::vector<int>& class_of, const std::string& path) {
     const std::vector<Point32> points = single_precision_points(tile, path);
-    if (tile.kind != MeshKind::kVoronoi) return tile;
-    Tile narrow = tile;
+    if (tile.kind != plane::MeshKind::kVoronoi) return tile;
+    plane::Tile narrow = tile;
     narrow.faces = {};
     narrow.face_site.clear();
     const std::vector<int> classes_of_cells = std::exchange(class_of, {});
@@ -171,7 +172,7 @@ Tile narrowed(const Tile& tile, std::vector<int>& class_of, const std::string& p
 
 }  // namespace
 
-std::vector<EncodedFile> encode_ply(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_ply(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path) {
     require_finite(tile);
     TileColours colours =
@@ -179,7 +180,7 @@ std::vector<EncodedFile> encode_ply(const Tile& tile, const FileOptions& options
     const bool single = options.single_precision;
     const std::vector<StatedNote> notes = stated_notes(tile);
     if (!single) return only_file(path, ply_text(tile, colours, notes, single));
-    const Tile narrow = narrowed(tile, colours.class_of, path);
+    const plane::Tile narrow = narrowed(tile, colours.class_of, path);
     return only_file(path, ply_text(narrow, colours, notes, single));
 }
 

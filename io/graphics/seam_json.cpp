@@ -97,14 +97,14 @@ class SeamDecoder {
         return result;
     }
 
-    Vec2 vector(const Json& json) const {
+    plane::Vec2 vector(const Json& json) const {
         const bool good =
             json.is_array() && json.size() == 2 && json[0].is_number() && json[1].is_number();
         if (!good) throw_bad_file("\"lattice\" is not [[ax, ay], [bx, by]]");
         return {json[0].get<double>(), json[1].get<double>()};
     }
 
-    Lattice lattice() const {
+    plane::Lattice lattice() const {
         const Json& json = list(at("lattice"), "lattice");
         if (json.size() != 2) throw_bad_file("\"lattice\" is not [[ax, ay], [bx, by]]");
         try {
@@ -134,9 +134,9 @@ Json parse_json(const std::string& name, std::string_view text) {
 
 }  // namespace
 
-std::string encode_seam(const Tile& tile) {
-    const Vec2& a = tile.lattice.a();
-    const Vec2& b = tile.lattice.b();
+std::string encode_seam(const plane::Tile& tile) {
+    const plane::Vec2& a = tile.lattice.a();
+    const plane::Vec2& b = tile.lattice.b();
     std::string text = "{\n  \"format\": \"pcvt seam\",\n  \"version\": ";
     append_number(text, kSeamVersion);
     text += ",\n  \"kind\": \"" + file_word(tile.kind) + "\",\n  \"lattice\": [";
@@ -144,10 +144,10 @@ std::string encode_seam(const Tile& tile) {
     text += ", ";
     append_list(text, b);
     text += "],\n  \"index_base\": 0,\n";
-    append_rows(text, "vertex_pairs", tile.vertex_pairs, [](const VertexPair& p) {
+    append_rows(text, "vertex_pairs", tile.vertex_pairs, [](const plane::VertexPair& p) {
         return std::array{p.v, p.w, p.offset.i, p.offset.j};
     });
-    append_rows(text, "edge_pairs", tile.edge_pairs, [](const EdgePair& p) {
+    append_rows(text, "edge_pairs", tile.edge_pairs, [](const plane::EdgePair& p) {
         return std::array{p.v0, p.v1, p.w0, p.w1, p.offset.i, p.offset.j};
     });
     append_sites(text, faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site);
@@ -163,7 +163,7 @@ Seam decode_seam(const std::string& name, std::string_view text) {
     if (decoder.at("index_base") != 0) decoder.throw_bad_file("its index base is not 0");
     // Kind and lattice.
     const Json& word = decoder.at("kind");
-    const auto kind = word.is_string() ? mesh_kind_of_file_word(word.text()) : std::nullopt;
+    const auto kind = word.is_string() ? plane::mesh_kind_of_file_word(word.text()) : std::nullopt;
     if (!kind) decoder.throw_bad_file("its kind is none of cells, triangles and grains");
     Seam seam{.kind = *kind, .lattice = decoder.lattice()};
     // Pairs and sites.

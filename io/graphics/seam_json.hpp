@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -23,15 +23,15 @@ namespace pcvt {
 ///     const VertexPair& pair = seam.vertex_pairs.front();
 ///     const Vec2 translation = seam.lattice.translation(pair.offset);  // from pair.v to pair.w
 struct Seam {
-    MeshKind kind;
-    Lattice lattice;
-    std::vector<VertexPair> vertex_pairs = {};
-    std::vector<EdgePair> edge_pairs = {};
+    plane::MeshKind kind;
+    plane::Lattice lattice;
+    std::vector<plane::VertexPair> vertex_pairs = {};
+    std::vector<plane::EdgePair> edge_pairs = {};
     std::vector<SiteId> sites = {};
 };
 
 /// Encodes the seam with one pair per line; the same tile gives the same bytes.
-std::string encode_seam(const Tile& tile);
+std::string encode_seam(const plane::Tile& tile);
 
 /// Reads such a file back.
 /// @param name  the file's name in messages.

@@ -165,7 +165,7 @@ std::string foam_turbulence() {
 
 std::string foam_velocity(const CellFlow& cells, const ExtrudedMesh& extruded) {
     std::string text = foam_field_head("vector", "U", "[0 1 -1 0 0 0 0]", cells.velocity.size());
-    for (const Vec2& u : cells.velocity) {
+    for (const plane::Vec2& u : cells.velocity) {
         append_foam_vector(text, {u.x(), u.y(), 0});
         text += '\n';
     }

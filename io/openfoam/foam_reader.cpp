@@ -15,26 +15,26 @@ namespace pcvt {
 namespace {
 
 /// Returns (I, J) of the name seam_I_J; `nullopt` for any other name.
-std::optional<Offset> named_offset(const std::string& name) {
+std::optional<plane::Offset> named_offset(const std::string& name) {
     const std::string head = "seam_";
     const std::size_t cut = name.find('_', head.size());
     if (!name.starts_with(head) || cut == std::string::npos) return std::nullopt;
     try {
-        return Offset{parse_integer(name.substr(head.size(), cut - head.size())),
-                      parse_integer(name.substr(cut + 1))};
+        return plane::Offset{parse_integer(name.substr(head.size(), cut - head.size())),
+                             parse_integer(name.substr(cut + 1))};
     } catch (const InvalidInput&) {
         return std::nullopt;
     }
 }
 
-std::optional<WallSide> named_side(const std::string& name) {
-    for (const WallSideRow& row : kWallSides) {
+std::optional<plane::WallSide> named_side(const std::string& name) {
+    for (const plane::WallSideRow& row : plane::kWallSides) {
         if (name == row.word) return row.side;
     }
     return std::nullopt;
 }
 
-Vec2 read_separation(FoamScanner& scanner) {
+plane::Vec2 read_separation(FoamScanner& scanner) {
     scanner.expect("(");
     const double x = scanner.number();
     const double y = scanner.number();
@@ -51,7 +51,7 @@ std::pair<ExtrudedPatch, std::string> read_patch(FoamScanner& scanner, int n_hol
                         .n_faces = -1,
                         .partner = -1,
                         .offset = {},
-                        .separation = Vec2(0, 0)};
+                        .separation = plane::Vec2(0, 0)};
     std::string type;
     std::string partner;
     // Read the entries that matter, skip the others.
@@ -66,10 +66,11 @@ std::pair<ExtrudedPatch, std::string> read_patch(FoamScanner& scanner, int n_hol
         scanner.skip_entry();
     }
     // A patch is a wall, empty, or cyclic with an offset in its name.
-    const std::optional<WallSide> side = named_side(patch.name);
-    if (type == "wall") patch.wall = side ? WallId::side(*side) : WallId::hole(n_holes);
+    const std::optional<plane::WallSide> side = named_side(patch.name);
+    if (type == "wall")
+        patch.wall = side ? plane::WallId::side(*side) : plane::WallId::hole(n_holes);
     if (partner.empty() && (type == "wall" || (type == "empty" && !side))) return {patch, partner};
-    const std::optional<Offset> offset = named_offset(patch.name);
+    const std::optional<plane::Offset> offset = named_offset(patch.name);
     const auto fits = [](int k) { return k >= -kLargestOffset && k <= kLargestOffset; };
     if (type != "cyclic" || partner.empty() || !offset || !fits(offset->i) || !fits(offset->j)) {
         scanner.throw_bad_file(
@@ -128,18 +129,18 @@ FileTileBuilder read_comments(const EncodedFile& file) {
 
 /// Gives the tile its sites and their notes. The patches state its walls and holes, with which the
 /// notes must agree.
-void give_notes(const EncodedFile& boundary, FileTileBuilder comments, Tile& tile) {
-    const Walls walls = tile.walls;
-    std::vector<WallEdge> wall_edges = std::move(tile.wall_edges);
+void give_notes(const EncodedFile& boundary, FileTileBuilder comments, plane::Tile& tile) {
+    const plane::Walls walls = tile.walls;
+    std::vector<plane::WallEdge> wall_edges = std::move(tile.wall_edges);
     std::vector<std::string> holes = std::move(tile.holes);
     give_sites(std::move(comments), tile);
-    const bool states_notes = !tile.site_positions.empty() || tile.walls != Walls::kNone;
+    const bool states_notes = !tile.site_positions.empty() || tile.walls != plane::Walls::kNone;
     if (states_notes && tile.walls != walls) {
         throw BadFile(boundary.path + ": the comment on walls means " + walls_row(tile.walls).word +
                       ", but the patches " + walls_row(walls).word + "; correct the comment");
     }
-    const auto on_holes = [](std::vector<WallEdge> edges) {
-        std::erase_if(edges, [](const WallEdge& edge) { return !edge.wall.is_hole(); });
+    const auto on_holes = [](std::vector<plane::WallEdge> edges) {
+        std::erase_if(edges, [](const plane::WallEdge& edge) { return !edge.wall.is_hole(); });
         return edges;
     };
     const bool states_holes = states_notes || !tile.holes.empty();
@@ -156,30 +157,32 @@ void give_notes(const EncodedFile& boundary, FileTileBuilder comments, Tile& til
 
 }  // namespace
 
-TileFile decode_foam(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
+TileFile decode_foam(const std::vector<EncodedFile>& files,
+                     const std::optional<plane::Lattice>& lattice) {
     const EncodedFile& boundary = foam_mesh_file(files, "boundary");
     for (const EncodedFile& file : files) {
         refuse_binary(file.path, file.bytes, "write the case with writeFormat ascii");
     }
     FileTileBuilder comments = read_comments(boundary);
-    const std::optional<Lattice> known = comments.lattice ? comments.lattice : lattice;
+    const std::optional<plane::Lattice> known = comments.lattice ? comments.lattice : lattice;
     if (!known) {
         throw BadFile(boundary.path + ": the file names no lattice; pass --lattice AX,AY,BX,BY");
     }
-    ExtrudedMesh extruded{.lattice = *known, .kind = comments.kind.value_or(MeshKind::kVoronoi)};
+    ExtrudedMesh extruded{.lattice = *known,
+                          .kind = comments.kind.value_or(plane::MeshKind::kVoronoi)};
     extruded.points = foam_points(foam_mesh_file(files, "points"));
     extruded.faces = foam_faces(foam_mesh_file(files, "faces"));
     extruded.owner = foam_labels(foam_mesh_file(files, "owner"));
     extruded.neighbour = foam_labels(foam_mesh_file(files, "neighbour"));
     read_boundary(boundary, extruded);
     const bool states_lattice = comments.lattice.has_value();
-    Tile tile = extruded_base(extruded);
-    CellMaterials materials = std::move(comments.materials);
+    plane::Tile tile = extruded_base(extruded);
+    plane::CellMaterials materials = std::move(comments.materials);
     if (!materials.empty()) foam_mesh_file(files, "cellZones");
     give_notes(boundary, std::move(comments), tile);
     require_materials(boundary.path, materials, n_stated_sites(tile));
     return {.tile = std::move(tile),
-            .precision = Precision::kDouble,
+            .precision = plane::Precision::kDouble,
             .has_vertex_pairs = false,
             .has_edge_pairs = true,
             .has_wall_edges = true,

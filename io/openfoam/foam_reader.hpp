@@ -22,6 +22,7 @@ namespace pcvt {
 ///                 program wrote it.
 /// @throws BadFile  if a file is missing or is not in OpenFOAM's ASCII format.
 /// @throws NotATile if the mesh violates the laws of ExtrudedMesh.
-TileFile decode_foam(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice);
+TileFile decode_foam(const std::vector<EncodedFile>& files,
+                     const std::optional<plane::Lattice>& lattice);
 
 }  // namespace pcvt

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/materials/cell_materials.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/materials/cell_materials.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -33,8 +33,8 @@ std::vector<std::string> foam_paths(const std::string& folder);
 /// @param thickness  of the layer, length units; 0: as extruded_mesh() chooses it.
 /// @param materials  of the sites of one period, for faces that have sites; null: none.
 /// @throws InternalError if a coordinate is not finite.
-std::vector<EncodedFile> encode_foam(const Tile& tile, const std::string& folder,
+std::vector<EncodedFile> encode_foam(const plane::Tile& tile, const std::string& folder,
                                      double thickness = 0,
-                                     const CellMaterials* materials = nullptr);
+                                     const plane::CellMaterials* materials = nullptr);
 
 }  // namespace pcvt

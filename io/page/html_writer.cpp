@@ -8,7 +8,7 @@
 #include "io/page/page_parts.hpp"
 #include "io/page/page_text.hpp"
 #include "io/tiles/finite.hpp"
-#include "mesher/tile/tile_valence.hpp"
+#include "mesher/plane/tile/tile_valence.hpp"
 
 namespace pcvt {
 namespace {
@@ -26,9 +26,9 @@ void append_list(std::string& text, const Values& values) {
     text += ']';
 }
 
-void append_points(std::string& text, const std::vector<Vec2>& points) {
+void append_points(std::string& text, const std::vector<plane::Vec2>& points) {
     text += '[';
-    for (const Vec2& p : points) {
+    for (const plane::Vec2& p : points) {
         if (text.back() != '[') text += ',';
         append_number(text, p.x());
         text += ',';
@@ -55,9 +55,9 @@ void append_key(std::string& text, const char* key) {
 }
 
 /// Appends the names of the phases, and the phase of each site of one period.
-void append_phases(std::string& text, const CellMaterials* materials) {
-    const CellMaterials none;
-    const CellMaterials& shown = materials == nullptr ? none : *materials;
+void append_phases(std::string& text, const plane::CellMaterials* materials) {
+    const plane::CellMaterials none;
+    const plane::CellMaterials& shown = materials == nullptr ? none : *materials;
     append_key(text, "phases");
     text += '[';
     for (const std::string& name : shown.phase_names) {
@@ -70,14 +70,14 @@ void append_phases(std::string& text, const CellMaterials* materials) {
 
 /// Appends whether the sides across x and across y are walls, and the ends of each edge on a wall
 /// with the name of the wall; nothing without walls.
-void append_walls(std::string& text, const Tile& tile) {
+void append_walls(std::string& text, const plane::Tile& tile) {
     if (tile.wall_edges.empty()) return;
     append_key(text, "walls");
     append_list(text, std::array{int{has_walls_across(tile.walls, 0)},
                                  int{has_walls_across(tile.walls, 1)}});
     append_key(text, "wall_edges");
     text += '[';
-    for (const WallEdge& edge : tile.wall_edges) {
+    for (const plane::WallEdge& edge : tile.wall_edges) {
         text += text.back() == '[' ? "\n[" : ",\n[";
         for (const int v : {edge.v0, edge.v1}) {
             append_number(text, v);
@@ -88,7 +88,8 @@ void append_walls(std::string& text, const Tile& tile) {
     text += ']';
 }
 
-std::string page_data(const Tile& tile, const FileOptions& options, const std::string& name) {
+std::string page_data(const plane::Tile& tile, const FileOptions& options,
+                      const std::string& name) {
     const bool owned = faces_have_sites(tile.kind);
     std::string text = "{\"format\": \"pcvt page\", \"version\": ";
     append_number(text, kVersion);
@@ -125,12 +126,12 @@ std::string page_data(const Tile& tile, const FileOptions& options, const std::s
     append_list(text, owned ? site_classes(tile) : std::vector<int>());
     append_key(text, "vertex_pairs");
     append_rows(text, static_cast<int>(tile.vertex_pairs.size()), [&](int k) {
-        const VertexPair& p = tile.vertex_pairs[static_cast<std::size_t>(k)];
+        const plane::VertexPair& p = tile.vertex_pairs[static_cast<std::size_t>(k)];
         return std::array{p.v, p.w, p.offset.i, p.offset.j};
     });
     append_key(text, "edge_pairs");
     append_rows(text, static_cast<int>(tile.edge_pairs.size()), [&](int k) {
-        const EdgePair& p = tile.edge_pairs[static_cast<std::size_t>(k)];
+        const plane::EdgePair& p = tile.edge_pairs[static_cast<std::size_t>(k)];
         return std::array{p.v0, p.v1, p.w0, p.w1, p.offset.i, p.offset.j};
     });
     append_walls(text, tile);
@@ -139,7 +140,7 @@ std::string page_data(const Tile& tile, const FileOptions& options, const std::s
 
 }  // namespace
 
-std::vector<EncodedFile> encode_html(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_html(const plane::Tile& tile, const FileOptions& options,
                                      const std::string& path) {
     require_finite(tile);
     const std::string name = std::filesystem::path(path).filename().string();

@@ -5,7 +5,7 @@
 
 #include "io/tiles/encoded_file.hpp"
 #include "io/tiles/file_options.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -37,7 +37,7 @@ namespace pcvt {
 ///     }
 ///
 /// @throws InternalError if a coordinate is not finite.
-std::vector<EncodedFile> encode_html(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_html(const plane::Tile& tile, const FileOptions& options,
                                      const std::string& path);
 
 }  // namespace pcvt

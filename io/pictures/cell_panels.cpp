@@ -31,7 +31,7 @@ struct Grid {
     double row_height() const {
         return layout.size + kPanelGap + kCaptionLine * static_cast<double>(n_lines) + 4;
     }
-    Vec2 corner(int panel) const {
+    plane::Vec2 corner(int panel) const {
         const int row = panel / layout.columns;
         const int column = panel % layout.columns;
         return {kPanelMargin + (layout.size + kPanelGap) * column, kHeading + row_height() * row};
@@ -45,24 +45,25 @@ struct Grid {
 /// Maps length units, y upwards, to the pixels of one panel.
 class PanelFrame {
    public:
-    PanelFrame(const Polygon& outline, const Vec2& corner, double size) : corner_(corner) {
+    PanelFrame(const plane::Polygon& outline, const plane::Vec2& corner, double size)
+        : corner_(corner) {
         low_ = high_ = outline.at(0);
-        for (const Vec2& p : outline) {
+        for (const plane::Vec2& p : outline) {
             low_ = low_.cwiseMin(p);
             high_ = high_.cwiseMax(p);
         }
         scale_ = size / (high_ - low_).maxCoeff();
     }
-    Vec2 pixel(const Vec2& p) const {
-        return corner_ + scale_ * Vec2(p.x() - low_.x(), high_.y() - p.y());
+    plane::Vec2 pixel(const plane::Vec2& p) const {
+        return corner_ + scale_ * plane::Vec2(p.x() - low_.x(), high_.y() - p.y());
     }
     double scale() const { return scale_; }
     double height() const { return scale_ * (high_.y() - low_.y()); }
 
    private:
-    Vec2 corner_;
-    Vec2 low_;
-    Vec2 high_;
+    plane::Vec2 corner_;
+    plane::Vec2 low_;
+    plane::Vec2 high_;
     double scale_;
 };
 
@@ -70,9 +71,9 @@ void append_hundredths(std::string& text, double value) {
     append_pixels(text, std::round(100 * value) / 100);
 }
 
-void append_polygon(std::string& path, const Polygon& polygon, const PanelFrame& frame) {
+void append_polygon(std::string& path, const plane::Polygon& polygon, const PanelFrame& frame) {
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vec2 pixel = frame.pixel(polygon[k]);
+        const plane::Vec2 pixel = frame.pixel(polygon[k]);
         path += k == 0 ? 'M' : 'L';
         append_hundredths(path, pixel.x());
         path += ' ';
@@ -95,12 +96,12 @@ std::string draw_cells(const CellPanel& panel, const PanelFrame& frame) {
 
 std::string draw_sites(const CellPanel& panel, const PanelFrame& frame) {
     if (panel.sites.empty()) return "";
-    const double spacing = frame.scale() * std::sqrt(std::abs(polygon_area(panel.outline)) /
+    const double spacing = frame.scale() * std::sqrt(std::abs(plane::polygon_area(panel.outline)) /
                                                      static_cast<double>(panel.sites.size()));
     if (spacing < kLeastDottedPanelSpacing) return "";
     std::string path;
-    for (const Vec2& site : panel.sites) {
-        const Vec2 pixel = frame.pixel(site);
+    for (const plane::Vec2& site : panel.sites) {
+        const plane::Vec2 pixel = frame.pixel(site);
         path += 'M';
         append_hundredths(path, pixel.x());
         path += ' ';
@@ -112,7 +113,7 @@ std::string draw_sites(const CellPanel& panel, const PanelFrame& frame) {
            "\"/>\n";
 }
 
-std::string draw_panel(const CellPanel& panel, const Vec2& corner, double size) {
+std::string draw_panel(const CellPanel& panel, const plane::Vec2& corner, double size) {
     const PanelFrame frame(panel.outline, corner, size);
     std::string outline;
     append_polygon(outline, panel.outline, frame);

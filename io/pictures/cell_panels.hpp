@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/pictures/svg_legend.hpp"
-#include "mesher/lattice/polygon.hpp"
+#include "mesher/plane/geometry/polygon.hpp"
 
 namespace pcvt {
 
@@ -23,15 +23,15 @@ struct CellPanel {
     std::vector<std::string> caption;
     /// A polygon in length units; parts outside of the outline are drawn as well.
     struct Cell {
-        Polygon polygon;
+        plane::Polygon polygon;
         /// "#rrggbb"
         std::string colour;
     };
     std::vector<Cell> cells;
     /// The positions of the dots, length units.
-    std::vector<Vec2> sites;
+    std::vector<plane::Vec2> sites;
     /// A line drawn over the cells; its bounding box determines the scale.
-    Polygon outline;
+    plane::Polygon outline;
 };
 
 struct PanelLayout {

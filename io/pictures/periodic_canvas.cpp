@@ -27,12 +27,13 @@ std::int64_t first_sample(double position) {
 }
 
 /// Finds where the horizontal line at y enters and leaves a polygon.
-void find_crossings(std::span<const Vec2> corners, double y, std::vector<double>& crossings) {
-    Vec2 from = corners.back();
-    for (const Vec2& to : corners) {
+void find_crossings(std::span<const plane::Vec2> corners, double y,
+                    std::vector<double>& crossings) {
+    plane::Vec2 from = corners.back();
+    for (const plane::Vec2& to : corners) {
         // Both faces at an edge compute its crossing from its lower end.
-        const auto& [low, high] =
-            std::minmax(from, to, [](const Vec2& p, const Vec2& q) { return p.y() < q.y(); });
+        const auto& [low, high] = std::minmax(
+            from, to, [](const plane::Vec2& p, const plane::Vec2& q) { return p.y() < q.y(); });
         if (low.y() <= y && y < high.y()) {
             const double part = (y - low.y()) / (high.y() - low.y());
             crossings.push_back(low.x() + part * (high.x() - low.x()));
@@ -43,7 +44,7 @@ void find_crossings(std::span<const Vec2> corners, double y, std::vector<double>
 }
 
 /// Finds where the horizontal line at y enters and leaves a stroke, the hull of two discs.
-void find_crossings(const Vec2& from, const Vec2& to, double radius, double y,
+void find_crossings(const plane::Vec2& from, const plane::Vec2& to, double radius, double y,
                     std::vector<double>& crossings) {
     double left = std::numeric_limits<double>::infinity();
     double right = -left;
@@ -52,18 +53,18 @@ void find_crossings(const Vec2& from, const Vec2& to, double radius, double y,
         right = std::max(right, x);
     };
     // The discs.
-    for (const Vec2& centre : {from, to}) {
+    for (const plane::Vec2& centre : {from, to}) {
         const double square = radius * radius - (y - centre.y()) * (y - centre.y());
         if (square < 0) continue;
         include(centre.x() - std::sqrt(square));
         include(centre.x() + std::sqrt(square));
     }
     // The two sides of the line.
-    const Vec2 along = to - from;
+    const plane::Vec2 along = to - from;
     const double length = along.norm();
     if (length > 0) {
-        const Vec2 across = radius / length * Vec2(-along.y(), along.x());
-        for (const Vec2& side : {across, Vec2(-across)}) {
+        const plane::Vec2 across = radius / length * plane::Vec2(-along.y(), along.x());
+        for (const plane::Vec2& side : {across, plane::Vec2(-across)}) {
             const double part = (y - from.y() - side.y()) / along.y();
             if (part >= 0 && part <= 1) include(from.x() + side.x() + part * along.x());
         }
@@ -113,15 +114,15 @@ PackedColour packed(Colour colour) {
     return static_cast<PackedColour>(std::stoul(hex(colour).substr(1), nullptr, 16));
 }
 
-PeriodicCanvas::PeriodicCanvas(int width, int height, Walls walls)
+PeriodicCanvas::PeriodicCanvas(int width, int height, plane::Walls walls)
     : width_(width), height_(height), walls_(walls) {}
 
-void PeriodicCanvas::add_polygon(std::span<const Vec2> corners, PackedColour colour) {
+void PeriodicCanvas::add_polygon(std::span<const plane::Vec2> corners, PackedColour colour) {
     shapes_.push_back({corners_.size(), corners.size(), -1, colour});
     corners_.insert(corners_.end(), corners.begin(), corners.end());
 }
 
-void PeriodicCanvas::add_stroke(const Vec2& from, const Vec2& to, double width,
+void PeriodicCanvas::add_stroke(const plane::Vec2& from, const plane::Vec2& to, double width,
                                 PackedColour colour) {
     shapes_.push_back({corners_.size(), 2, width / 2, colour});
     corners_.push_back(from);
@@ -160,9 +161,9 @@ std::vector<std::vector<PeriodicCanvas::Touch>> PeriodicCanvas::touches() const 
     for (std::size_t s = 0; s < shapes_.size(); ++s) {
         const std::span corners =
             std::span(corners_).subspan(shapes_[s].first_corner, shapes_[s].n_corners);
-        const auto [low, high] =
-            std::minmax_element(corners.begin(), corners.end(),
-                                [](const Vec2& p, const Vec2& q) { return p.y() < q.y(); });
+        const auto [low, high] = std::minmax_element(
+            corners.begin(), corners.end(),
+            [](const plane::Vec2& p, const plane::Vec2& q) { return p.y() < q.y(); });
         const double reach = std::max(shapes_[s].radius, 0.0);
         const auto last = static_cast<std::int64_t>(std::floor(high->y() + reach));
         for (auto row = static_cast<std::int64_t>(std::floor(low->y() - reach)); row <= last;

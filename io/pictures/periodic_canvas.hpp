@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/colours/palette.hpp"
-#include "mesher/lattice/walls.hpp"
+#include "mesher/plane/geometry/walls.hpp"
 
 namespace pcvt {
 
@@ -37,12 +37,13 @@ PackedColour packed(Colour colour);
 /// Laws (1) and (2) hold for moves that cross no wall.
 class PeriodicCanvas {
    public:
-    PeriodicCanvas(int width, int height, Walls walls);
+    PeriodicCanvas(int width, int height, plane::Walls walls);
 
     /// Adds a polygon, filled by the even-odd rule.
-    void add_polygon(std::span<const Vec2> corners, PackedColour colour);
+    void add_polygon(std::span<const plane::Vec2> corners, PackedColour colour);
     /// Adds a line with round ends; a disc if both ends are equal.
-    void add_stroke(const Vec2& from, const Vec2& to, double width, PackedColour colour);
+    void add_stroke(const plane::Vec2& from, const plane::Vec2& to, double width,
+                    PackedColour colour);
 
     /// Returns the image. Samples that no shape covers take the colour to their left, which fills
     /// gaps by rounding between shapes; an empty canvas is white.
@@ -69,9 +70,9 @@ class PeriodicCanvas {
 
     int width_;
     int height_;
-    Walls walls_;
+    plane::Walls walls_;
     std::vector<Shape> shapes_;
-    std::vector<Vec2> corners_;
+    std::vector<plane::Vec2> corners_;
 };
 
 }  // namespace pcvt

@@ -90,7 +90,9 @@ class Panel {
         return svg;
     }
 
-    Vec2 pixel(const Vec2& point) const { return {x_.pixel(point.x()), y_.pixel(point.y())}; }
+    plane::Vec2 pixel(const plane::Vec2& point) const {
+        return {x_.pixel(point.x()), y_.pixel(point.y())};
+    }
 
    private:
     Bounds bounds(int axis) const {
@@ -120,12 +122,13 @@ class Panel {
     Scale y_;
 };
 
-std::string straight(const Vec2& from, const Vec2& to, const std::string& attributes) {
+std::string straight(const plane::Vec2& from, const plane::Vec2& to,
+                     const std::string& attributes) {
     return "<line" + svg_attribute("x1", from.x()) + svg_attribute("y1", from.y()) +
            svg_attribute("x2", to.x()) + svg_attribute("y2", to.y()) + attributes + "/>\n";
 }
 
-std::string disc(const Vec2& centre, double radius, const std::string& colour) {
+std::string disc(const plane::Vec2& centre, double radius, const std::string& colour) {
     return "<circle" + svg_attribute("cx", centre.x()) + svg_attribute("cy", centre.y()) +
            svg_attribute("r", radius) + " fill=\"" + colour + "\"/>\n";
 }
@@ -191,7 +194,7 @@ std::string Panel::y_axis() const {
 std::string Panel::line(const PlotSeries& series) const {
     if (!has_line(series) || series.points.empty()) return "";
     std::string path;
-    for (const Vec2& point : series.points) {
+    for (const plane::Vec2& point : series.points) {
         path += path.empty() ? 'M' : 'L';
         append_pixels(path, x_.pixel(point.x()));
         path += ' ';
@@ -204,7 +207,7 @@ std::string Panel::line(const PlotSeries& series) const {
 std::string Panel::bars(const PlotSeries& series) const {
     std::string svg;
     for (std::size_t k = 0; k < series.errors.size(); ++k) {
-        const Vec2& point = series.points[k];
+        const plane::Vec2& point = series.points[k];
         const double x = x_.pixel(point.x());
         const double low = y_.pixel(point.y() - series.errors[k]);
         const double high = y_.pixel(point.y() + series.errors[k]);
@@ -220,7 +223,7 @@ std::string Panel::bars(const PlotSeries& series) const {
 std::string Panel::dots(const PlotSeries& series) const {
     if (!has_dots(series)) return "";
     std::string svg;
-    for (const Vec2& point : series.points) {
+    for (const plane::Vec2& point : series.points) {
         svg += disc({x_.pixel(point.x()), y_.pixel(point.y())}, 3.5, series.colour);
     }
     return svg;
@@ -236,9 +239,9 @@ std::string plot_points(const std::vector<Plot>& plots) {
             if (series.mark == PlotSeries::Mark::kDashes) continue;
             json += json.size() > 1 ? ",\n" : "";
             json += "{\"label\": \"" + series.label + "\", \"points\": [";
-            for (const Vec2& point : series.points) {
+            for (const plane::Vec2& point : series.points) {
                 json += json.back() == '[' ? "[" : ", [";
-                const Vec2 pixel = panel.pixel(point);
+                const plane::Vec2 pixel = panel.pixel(point);
                 append_pixels(json, pixel.x());
                 append_pixels(json += ',', pixel.y());
                 append_number(json += ',', point.x());

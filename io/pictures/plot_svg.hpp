@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/lattice/lattice.hpp"
+#include "mesher/plane/geometry/lattice.hpp"
 
 namespace pcvt {
 
@@ -27,7 +27,7 @@ struct PlotSeries {
     /// "#rrggbb"
     std::string colour;
     /// Finite coordinates, above 0 along a logarithmic axis.
-    std::vector<Vec2> points;
+    std::vector<plane::Vec2> points;
     /// Half the heights of the error bars at the points; empty: no bars.
     std::vector<double> errors = {};
 };

@@ -12,7 +12,7 @@
 #include "io/tiles/finite.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/tile/tile_edges.hpp"
+#include "mesher/plane/tile/tile_edges.hpp"
 
 namespace pcvt {
 namespace {
@@ -36,43 +36,44 @@ std::vector<Colour> colour_list(const TileColours& colours) {
 }
 
 /// Returns the number of sites of a tile, whatever its pieces.
-int count_sites(const Tile& tile) {
+int count_sites(const plane::Tile& tile) {
     if (!faces_have_sites(tile.kind)) {
         return tile.n_vertices() - static_cast<int>(tile.vertex_pairs.size());
     }
     return static_cast<int>(std::set<SiteId>(tile.face_site.begin(), tile.face_site.end()).size());
 }
 
-bool is_edge(const Tile&, const TileEdge&) { return true; }
+bool is_edge(const plane::Tile&, const plane::TileEdge&) { return true; }
 
-bool is_grain_boundary(const Tile& tile, const TileEdge& edge) {
+bool is_grain_boundary(const plane::Tile& tile, const plane::TileEdge& edge) {
     return edge.right < 0 || tile.face_site[edge.left] != tile.face_site[edge.right];
 }
 
 /// A box outline cuts cells along edges that are none of theirs.
-bool is_cell_edge(const Tile& tile, const TileEdge& edge) {
+bool is_cell_edge(const plane::Tile& tile, const plane::TileEdge& edge) {
     return tile.whole_sides.empty() || !edge.on_seam || is_grain_boundary(tile, edge);
 }
 
 /// Draws a tile on a canvas of one period.
 class PeriodPainter {
    public:
-    PeriodPainter(const Tile& tile, int width, int height)
+    PeriodPainter(const plane::Tile& tile, int width, int height)
         : tile_(tile), size_(width, height), canvas_(width, height, tile.walls) {
         const double side = std::sqrt(size_.x() * size_.y());
         scale_ = side / kPictureSide;
         spacing_ = kPictureSide / std::sqrt(count_sites(tile));
-        std::vector<Vec2> coordinates;
-        for (const Vec2& p : tile.points) coordinates.push_back(tile.lattice.to_lattice(p));
+        std::vector<plane::Vec2> coordinates;
+        for (const plane::Vec2& p : tile.points) coordinates.push_back(tile.lattice.to_lattice(p));
         // A vertex of the seam is its representative plus whole periods.
-        for (const VertexPair& pair : tile.vertex_pairs) {
-            coordinates[pair.w] = coordinates[pair.v] + Vec2(pair.offset.i, pair.offset.j);
+        for (const plane::VertexPair& pair : tile.vertex_pairs) {
+            coordinates[pair.w] = coordinates[pair.v] + plane::Vec2(pair.offset.i, pair.offset.j);
         }
-        for (const Vec2& u : coordinates) places_.push_back(pixel(u));
+        for (const plane::Vec2& u : coordinates) places_.push_back(pixel(u));
     }
 
     void draw_faces(const std::vector<Colour>& colour_of) {
-        std::vector<Vec2> corners{pixel({0, 0}), pixel({1, 0}), pixel({1, 1}), pixel({0, 1})};
+        std::vector<plane::Vec2> corners{pixel({0, 0}), pixel({1, 0}), pixel({1, 1}),
+                                         pixel({0, 1})};
         if (!tile_.holes.empty()) canvas_.add_polygon(corners, kPackedHole);
         for (int f = 0; f < tile_.n_faces(); ++f) {
             checkpoint_each(f);
@@ -82,9 +83,9 @@ class PeriodPainter {
         }
     }
 
-    void draw_edges(bool (*is_drawn)(const Tile&, const TileEdge&), PackedColour colour,
-                    double width) {
-        for (const TileEdge& edge : tile_edges(tile_)) {
+    void draw_edges(bool (*is_drawn)(const plane::Tile&, const plane::TileEdge&),
+                    PackedColour colour, double width) {
+        for (const plane::TileEdge& edge : tile_edges(tile_)) {
             if (!is_drawn(tile_, edge)) continue;
             canvas_.add_stroke(places_[edge.v], places_[edge.w], scale_ * width, colour);
         }
@@ -92,8 +93,8 @@ class PeriodPainter {
 
     void draw_dots() {
         if (spacing_ < kLeastDottedPixels) return;
-        for (const Vec2& site : tile_.site_points) {
-            const Vec2 place = pixel(tile_.lattice.to_lattice(site));
+        for (const plane::Vec2& site : tile_.site_points) {
+            const plane::Vec2 place = pixel(tile_.lattice.to_lattice(site));
             canvas_.add_stroke(place, place, scale_ * width(0.09, 0.6, 6), kPackedDot);
         }
     }
@@ -118,15 +119,17 @@ class PeriodPainter {
     RgbImage render() const { return canvas_.render(); }
 
    private:
-    Vec2 pixel(const Vec2& u) const { return {u.x() * size_.x(), (1 - u.y()) * size_.y()}; }
+    plane::Vec2 pixel(const plane::Vec2& u) const {
+        return {u.x() * size_.x(), (1 - u.y()) * size_.y()};
+    }
 
-    const Tile& tile_;
-    Vec2 size_;
+    const plane::Tile& tile_;
+    plane::Vec2 size_;
     PeriodicCanvas canvas_;
     double scale_;
     /// The spacing h of the sites in a picture of 800 x 800.
     double spacing_;
-    std::vector<Vec2> places_;
+    std::vector<plane::Vec2> places_;
 };
 
 /// The objects that outlive libpng's longjmp().
@@ -177,7 +180,7 @@ bool encode(Encoder& encoder, png_uint_32 width, png_uint_32 height) {
 
 }  // namespace
 
-int image_height(const Lattice& lattice, int width) {
+int image_height(const plane::Lattice& lattice, int width) {
     const double height =
         std::max(1.0, std::round(width * lattice.b().norm() / lattice.a().norm()));
     if (width * height <= kMostImagePixels) return static_cast<int>(height);
@@ -188,9 +191,9 @@ int image_height(const Lattice& lattice, int width) {
                        std::to_string(std::max(1, static_cast<int>(most))) + " pixels");
 }
 
-RgbImage draw_period(const Tile& tile, const FileOptions& options, int width) {
+RgbImage draw_period(const plane::Tile& tile, const FileOptions& options, int width) {
     require_finite(tile);
-    const MeshKindRow& kind = mesh_kind_row(tile.kind);
+    const plane::MeshKindRow& kind = mesh_kind_row(tile.kind);
     const Colouring colouring =
         options.colouring.value_or(default_picture_colouring(tile, options.quantities()));
     const TileColours colours = tile_colours(tile, colouring, options.quantities());
@@ -231,7 +234,7 @@ std::string encode_png(const RgbImage& image) {
     return std::move(encoder.bytes);
 }
 
-std::vector<EncodedFile> encode_tile_png(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_tile_png(const plane::Tile& tile, const FileOptions& options,
                                          const std::string& path) {
     const int width = options.pixels == 0 ? kDefaultPixels : options.pixels;
     return only_file(path, encode_png(draw_period(tile, options, width)));

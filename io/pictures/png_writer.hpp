@@ -3,7 +3,7 @@
 #include "io/pictures/periodic_canvas.hpp"
 #include "io/tiles/encoded_file.hpp"
 #include "io/tiles/file_options.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -13,7 +13,7 @@ inline constexpr int kMostImagePixels = 1 << 26;
 /// Returns the height of an image of one period that is `width` pixels wide: its pixels are as
 /// high as wide along the two period vectors.
 /// @throws InvalidInput if the image has more than kMostImagePixels.
-int image_height(const Lattice& lattice, int width);
+int image_height(const plane::Lattice& lattice, int width);
 
 /// Draws one period of a tile: lattice coordinate u from 0 to 1 runs from left to right, v from 0
 /// to 1 from bottom to top, wherever the tile lies. So copies of the image join without a seam, and
@@ -22,7 +22,7 @@ int image_height(const Lattice& lattice, int width);
 ///
 /// Colours and edges are those of encode_svg(), without seam, domain and legend; a box outline
 /// leaves no cut.
-RgbImage draw_period(const Tile& tile, const FileOptions& options, int width);
+RgbImage draw_period(const plane::Tile& tile, const FileOptions& options, int width);
 
 /// Encodes an image as PNG.
 std::string encode_png(const RgbImage& image);
@@ -33,7 +33,7 @@ std::string encode_png(const RgbImage& image);
 ///     for (const EncodedFile& file : encode_tile_png(tile, {.pixels = 512}, "tile.png")) {
 ///         output.stage(file.path, file.bytes);
 ///     }
-std::vector<EncodedFile> encode_tile_png(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_tile_png(const plane::Tile& tile, const FileOptions& options,
                                          const std::string& path);
 
 }  // namespace pcvt

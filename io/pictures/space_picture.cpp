@@ -11,8 +11,8 @@
 #include "io/pictures/svg_canvas.hpp"
 #include "io/pictures/svg_legend.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/polyhedra/cell_faces.hpp"
 #include "mesher/portable/portable_functions.hpp"
+#include "mesher/space/mesh/cell_faces.hpp"
 
 namespace pcvt {
 namespace {
@@ -30,19 +30,19 @@ constexpr int kUsualSides = 6;
 
 /// The axes of the picture: to the right, upwards, and towards the viewer.
 struct View {
-    Vec3 right;
-    Vec3 up;
-    Vec3 towards;
-    Vec3 light;
+    space::Vec3 right;
+    space::Vec3 up;
+    space::Vec3 towards;
+    space::Vec3 light;
 
-    Vec2 place(const Vec3& p) const { return {p.dot(right), p.dot(up)}; }
+    plane::Vec2 place(const space::Vec3& p) const { return {p.dot(right), p.dot(up)}; }
 };
 
 /// Shows the faces of a box at x = most, y = least and z = most, with z upwards.
 View view() {
     View view;
-    view.towards = Vec3(0.5, -0.8, 0.46).normalized();
-    view.right = Vec3::UnitZ().cross(view.towards).normalized();
+    view.towards = space::Vec3(0.5, -0.8, 0.46).normalized();
+    view.right = space::Vec3::UnitZ().cross(view.towards).normalized();
     view.up = view.towards.cross(view.right);
     view.light = (0.75 * view.towards + 0.75 * view.up - 0.45 * view.right).normalized();
     return view;
@@ -55,10 +55,10 @@ Colour shaded(const Colour& colour, double light) {
     return {colour.r * factor, colour.g * factor, colour.b * factor};
 }
 
-Vec3 area_vector(const PolyhedralMesh& mesh, int face) {
-    Vec3 area = Vec3::Zero();
+space::Vec3 area_vector(const space::PolyhedralMesh& mesh, int face) {
+    space::Vec3 area = space::Vec3::Zero();
     const auto corners = mesh.faces[face];
-    const Vec3& first = mesh.points[corners[0]];
+    const space::Vec3& first = mesh.points[corners[0]];
     for (std::size_t k = 2; k < corners.size(); ++k) {
         area += (mesh.points[corners[k - 1]] - first).cross(mesh.points[corners[k]] - first);
     }
@@ -66,16 +66,16 @@ Vec3 area_vector(const PolyhedralMesh& mesh, int face) {
 }
 
 /// The numbers of faces of the cells.
-std::vector<int> face_counts(const PolyhedralMesh& mesh) {
-    const CellFaces cells(mesh);
+std::vector<int> face_counts(const space::PolyhedralMesh& mesh) {
+    const space::CellFaces cells(mesh);
     std::vector<int> counts;
     for (int s = 0; s < cells.n_cells(); ++s) counts.push_back(static_cast<int>(cells[s].size()));
     return counts;
 }
 
 /// The boundary faces, those of the cell farthest from the viewer first.
-std::vector<int> painted_order(const SpaceTile& tile, const Vec3& towards) {
-    const PolyhedralMesh& mesh = tile.mesh;
+std::vector<int> painted_order(const SpaceTile& tile, const space::Vec3& towards) {
+    const space::PolyhedralMesh& mesh = tile.mesh;
     std::vector<int> faces(static_cast<std::size_t>(mesh.n_faces() - mesh.n_inner_faces()));
     std::iota(faces.begin(), faces.end(), mesh.n_inner_faces());
     const Eigen::VectorXd depth = tile.sites.transpose() * towards;
@@ -94,7 +94,7 @@ struct SpacePicture {
 
 SpacePicture picture_of(const SpaceTile& tile) {
     std::vector<ShownFace> faces = shown_faces(tile);
-    std::vector<Vec2> points;
+    std::vector<plane::Vec2> points;
     for (const ShownFace& face : faces) {
         points.insert(points.end(), face.corners.begin(), face.corners.end());
     }
@@ -122,7 +122,7 @@ std::vector<ShownFace> shown_faces(const SpaceTile& tile) {
     std::vector<ShownFace> faces;
     for (const int f : painted_order(tile, shown.towards)) {
         checkpoint_each(f);
-        const Vec3 normal = area_vector(tile.mesh, f).stableNormalized();
+        const space::Vec3 normal = area_vector(tile.mesh, f).stableNormalized();
         if (!(normal.dot(shown.towards) > 0)) continue;
         ShownFace& face = faces.emplace_back();
         for (const int v : tile.mesh.faces[f]) {
@@ -156,14 +156,14 @@ std::vector<EncodedFile> encode_space_png(const SpaceTile& tile, const std::stri
     const SpacePicture picture = picture_of(tile);
     const auto width = static_cast<int>(std::ceil(kSharpness * picture.frame.width()));
     const auto height = static_cast<int>(std::ceil(kSharpness * picture.frame.height()));
-    PeriodicCanvas canvas(width, height, Walls::kNone);
-    canvas.add_polygon(std::vector<Vec2>{{0, 0}, {width, 0}, {width, height}, {0, height}},
+    PeriodicCanvas canvas(width, height, plane::Walls::kNone);
+    canvas.add_polygon(std::vector<plane::Vec2>{{0, 0}, {width, 0}, {width, height}, {0, height}},
                        kBackground);
-    std::vector<Vec2> corners;
+    std::vector<plane::Vec2> corners;
     for (const ShownFace& face : picture.faces) {
         checkpoint();
         corners.clear();
-        for (const Vec2& corner : face.corners) {
+        for (const plane::Vec2& corner : face.corners) {
             corners.push_back(kSharpness * picture.frame.pixel(corner));
         }
         canvas.add_polygon(corners, packed(face.colour));

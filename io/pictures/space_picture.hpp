@@ -12,7 +12,7 @@ namespace pcvt {
 /// A face of a tile as a picture shows it: its corners in the plane of the picture, length units,
 /// y upwards, and its shaded colour.
 struct ShownFace {
-    std::vector<Vec2> corners;
+    std::vector<plane::Vec2> corners;
     Colour colour;
 };
 

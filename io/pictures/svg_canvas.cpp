@@ -45,10 +45,10 @@ std::string escaped(const std::string& text) {
 
 }  // namespace
 
-SvgFrame::SvgFrame(const std::vector<Vec2>& points) {
+SvgFrame::SvgFrame(const std::vector<plane::Vec2>& points) {
     low_ = points.at(0);
-    Vec2 high = low_;
-    for (const Vec2& p : points) {
+    plane::Vec2 high = low_;
+    for (const plane::Vec2& p : points) {
         low_ = low_.cwiseMin(p);
         high = high.cwiseMax(p);
     }
@@ -56,11 +56,11 @@ SvgFrame::SvgFrame(const std::vector<Vec2>& points) {
     const double shortest = std::max((high - low_).minCoeff(), 1e-6 * longest);
     const double typical = std::sqrt(shortest) * std::sqrt(longest);
     scale_ = std::min(kTypicalSide / typical, kLongestSide / longest);
-    size_ = (high - low_) * scale_ + Vec2::Constant(2 * kCanvasMargin);
+    size_ = (high - low_) * scale_ + plane::Vec2::Constant(2 * kCanvasMargin);
 }
 
-Vec2 SvgFrame::pixel(const Vec2& point) const {
-    const Vec2 from_low = (point - low_) * scale_;
+plane::Vec2 SvgFrame::pixel(const plane::Vec2& point) const {
+    const plane::Vec2 from_low = (point - low_) * scale_;
     return {kCanvasMargin + from_low.x(), size_.y() - kCanvasMargin - from_low.y()};
 }
 
@@ -83,8 +83,8 @@ void append_pixels(std::string& text, double value) {
     text.append(begin, digits.end());
 }
 
-SvgPath& SvgPath::add(char command, const Vec2& point) {
-    const Vec2 pixel = frame_.pixel(point);
+SvgPath& SvgPath::add(char command, const plane::Vec2& point) {
+    const plane::Vec2 pixel = frame_.pixel(point);
     text_ += command;
     append_pixels(text_, pixel.x());
     text_ += ' ';
@@ -97,7 +97,7 @@ SvgPath& SvgPath::close() {
     return *this;
 }
 
-SvgPath& SvgPath::dot(const Vec2& point) {
+SvgPath& SvgPath::dot(const plane::Vec2& point) {
     move(point);
     text_ += "h0";
     return *this;
@@ -144,7 +144,8 @@ std::string svg_text_group() {
            svg_attribute("font-size", kSvgFontSize) + " fill=\"" + kSvgInk + "\">\n";
 }
 
-std::string svg_text(const Vec2& place, const std::string& text, const std::string& attributes) {
+std::string svg_text(const plane::Vec2& place, const std::string& text,
+                     const std::string& attributes) {
     return "<text" + svg_attribute("x", place.x()) + svg_attribute("y", place.y()) + attributes +
            ">" + escaped(text) + "</text>\n";
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/colours/palette.hpp"
-#include "mesher/lattice/lattice.hpp"
+#include "mesher/plane/geometry/lattice.hpp"
 
 namespace pcvt {
 
@@ -14,9 +14,9 @@ class SvgFrame {
    public:
     /// Fits the points into about 800 x 800 pixels, at most 1600 along the longer side.
     /// @param points two or more, not all equal.
-    explicit SvgFrame(const std::vector<Vec2>& points);
+    explicit SvgFrame(const std::vector<plane::Vec2>& points);
 
-    Vec2 pixel(const Vec2& point) const;
+    plane::Vec2 pixel(const plane::Vec2& point) const;
     /// Pixels per length unit.
     double scale() const { return scale_; }
     /// The size of the drawing with its margin, in pixels.
@@ -24,9 +24,9 @@ class SvgFrame {
     double height() const { return size_.y(); }
 
    private:
-    Vec2 low_;
+    plane::Vec2 low_;
     double scale_;
-    Vec2 size_;
+    plane::Vec2 size_;
 };
 
 /// Appends a number of pixels with at most three decimals, never with an exponent, never -0.
@@ -38,11 +38,11 @@ class SvgPath {
    public:
     explicit SvgPath(const SvgFrame& frame) : frame_(frame) {}
 
-    SvgPath& move(const Vec2& point) { return add('M', point); }
-    SvgPath& line(const Vec2& point) { return add('L', point); }
+    SvgPath& move(const plane::Vec2& point) { return add('M', point); }
+    SvgPath& line(const plane::Vec2& point) { return add('L', point); }
     SvgPath& close();
     /// Adds a line without length, which round caps draw as a disc as wide as the stroke.
-    SvgPath& dot(const Vec2& point);
+    SvgPath& dot(const plane::Vec2& point);
 
     bool empty() const { return text_.empty(); }
     /// Returns a <path> with these attributes; several if one would exceed the limits of XML
@@ -50,7 +50,7 @@ class SvgPath {
     std::string element(const std::string& attributes) const;
 
    private:
-    SvgPath& add(char command, const Vec2& point);
+    SvgPath& add(char command, const plane::Vec2& point);
 
     const SvgFrame& frame_;
     std::string text_;
@@ -80,7 +80,8 @@ std::string svg_head(const std::string& title, double width, double height,
 std::string svg_text_group();
 
 /// Returns a <text> at a position in pixels; &, < and > in the text are escaped.
-std::string svg_text(const Vec2& place, const std::string& text, const std::string& attributes);
+std::string svg_text(const plane::Vec2& place, const std::string& text,
+                     const std::string& attributes);
 
 /// The size of text without another size, in pixels.
 inline constexpr double kSvgFontSize = 13;

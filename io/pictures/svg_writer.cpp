@@ -18,7 +18,7 @@
 #include "io/pictures/svg_legend.hpp"
 #include "io/tiles/finite.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/lattice/polygon.hpp"
+#include "mesher/plane/geometry/polygon.hpp"
 
 namespace pcvt {
 namespace {
@@ -37,7 +37,7 @@ constexpr double kLeastDottedSpacing = 9;
 
 /// A tile with its colours, its position on the canvas, and the spacing h of its sites in pixels.
 struct Drawing {
-    const Tile& tile;
+    const plane::Tile& tile;
     const TileColours& colours;
     SvgFrame frame;
     double spacing;
@@ -50,8 +50,8 @@ struct Drawing {
 };
 
 /// Returns the number of sites; all pieces of one cell or grain count once.
-int count_drawn_sites(const Tile& tile) {
-    if (tile.kind == MeshKind::kDelaunay) {
+int count_drawn_sites(const plane::Tile& tile) {
+    if (tile.kind == plane::MeshKind::kDelaunay) {
         return tile.n_vertices() - static_cast<int>(tile.vertex_pairs.size());
     }
     if (tile.whole_sides.empty()) return tile.n_faces();
@@ -59,17 +59,19 @@ int count_drawn_sites(const Tile& tile) {
 }
 
 /// Returns the same offset for (i, j) and (-i, -j), which belong to one translation class.
-Offset translation_class(Offset offset) { return offset < Offset{} ? -offset : offset; }
+plane::Offset translation_class(plane::Offset offset) {
+    return offset < plane::Offset{} ? -offset : offset;
+}
 
 /// Returns the translation classes with their colours. (1, 0) and (0, 1) come first, so that they
 /// have the same colours in every picture.
-std::vector<std::pair<Offset, std::string>> seam_colours(const Tile& tile) {
-    std::set<std::tuple<int, Offset>> classes;
-    for (const EdgePair& pair : tile.edge_pairs) {
-        const Offset offset = translation_class(pair.offset);
+std::vector<std::pair<plane::Offset, std::string>> seam_colours(const plane::Tile& tile) {
+    std::set<std::tuple<int, plane::Offset>> classes;
+    for (const plane::EdgePair& pair : tile.edge_pairs) {
+        const plane::Offset offset = translation_class(pair.offset);
         classes.emplace(std::abs(offset.i) + std::abs(offset.j), -offset);
     }
-    std::vector<std::pair<Offset, std::string>> colours;
+    std::vector<std::pair<plane::Offset, std::string>> colours;
     for (const auto& [length, negative] : classes) {
         colours.emplace_back(-negative, hex(seam_colour(colours.size())));
     }
@@ -78,20 +80,20 @@ std::vector<std::pair<Offset, std::string>> seam_colours(const Tile& tile) {
 
 std::string fill(const std::string& colour) { return " fill=\"" + colour + "\""; }
 
-void add_face(const Tile& tile, int face, SvgPath& path) {
+void add_face(const plane::Tile& tile, int face, SvgPath& path) {
     path.move(tile.points[tile.faces[face].front()]);
     for (const int v : tile.faces[face].subspan(1)) path.line(tile.points[v]);
     path.close();
 }
 
 /// Returns whether a face contains its site; some pieces of a cut cell do not.
-bool holds_site(const Tile& tile, int face) {
+bool holds_site(const plane::Tile& tile, int face) {
     if (tile.whole_sides.empty()) return true;
-    const Vec2& site = tile.site_points[face];
-    const Vec2* from = &tile.points[tile.faces[face].back()];
+    const plane::Vec2& site = tile.site_points[face];
+    const plane::Vec2* from = &tile.points[tile.faces[face].back()];
     for (const int v : tile.faces[face]) {
-        const Vec2& to = tile.points[v];
-        if (cross(to - *from, site - *from) < 0) return false;
+        const plane::Vec2& to = tile.points[v];
+        if (plane::cross(to - *from, site - *from) < 0) return false;
         from = &to;
     }
     return true;
@@ -99,7 +101,7 @@ bool holds_site(const Tile& tile, int face) {
 
 /// Draws the faces, one path per colour, with edges of these attributes.
 std::string draw_coloured(const Drawing& drawing, const std::string& edge) {
-    const Tile& tile = drawing.tile;
+    const plane::Tile& tile = drawing.tile;
     std::vector<SvgPath> by_class(drawing.colours.classes.size(), SvgPath(drawing.frame));
     for (int f = 0; f < tile.n_faces(); ++f) {
         checkpoint_each(f);
@@ -113,7 +115,7 @@ std::string draw_coloured(const Drawing& drawing, const std::string& edge) {
 }
 
 std::string draw_cells(const Drawing& drawing, bool graded) {
-    const Tile& tile = drawing.tile;
+    const plane::Tile& tile = drawing.tile;
     const double edge_width = drawing.width(0.03, 0.06, 1.6);
     std::string svg =
         draw_coloured(drawing, svg_stroke(graded ? kGradedEdgeColour : kEdgeColour, edge_width));
@@ -128,7 +130,7 @@ std::string draw_cells(const Drawing& drawing, bool graded) {
 
 /// Returns the edges between triangles of different sites.
 SvgPath grain_boundaries(const Drawing& drawing) {
-    const Tile& tile = drawing.tile;
+    const plane::Tile& tile = drawing.tile;
     std::map<std::pair<int, int>, SiteId> site_at;
     SvgPath path(drawing.frame);
     for (int f = 0; f < tile.n_faces(); ++f) {
@@ -151,7 +153,7 @@ std::string draw_grains(const Drawing& drawing) {
 }
 
 std::string draw_triangles(const Drawing& drawing) {
-    const Tile& tile = drawing.tile;
+    const plane::Tile& tile = drawing.tile;
     SvgPath faces(drawing.frame);
     for (int f = 0; f < tile.n_faces(); ++f) add_face(tile, f, faces);
     return faces.element(fill(kPaleColour) +
@@ -159,14 +161,14 @@ std::string draw_triangles(const Drawing& drawing) {
 }
 
 std::string draw_faces(const Drawing& drawing, bool graded) {
-    const MeshKindRow& kind = mesh_kind_row(drawing.tile.kind);
+    const plane::MeshKindRow& kind = mesh_kind_row(drawing.tile.kind);
     if (!kind.faces_have_sites) return draw_triangles(drawing);
     return kind.grain_size ? draw_grains(drawing) : draw_cells(drawing, graded);
 }
 
 /// Draws the marks of sites, which lie over the seam so that none of them is partly hidden.
 std::string draw_sites(const Drawing& drawing) {
-    const Tile& tile = drawing.tile;
+    const plane::Tile& tile = drawing.tile;
     std::vector<SvgPath> by_class(drawing.colours.classes.size(), SvgPath(drawing.frame));
     for (int v = 0; v < tile.n_vertices(); ++v) {
         checkpoint_each(v);
@@ -186,7 +188,7 @@ std::string draw_sites(const Drawing& drawing) {
     return svg;
 }
 
-std::string draw_domain(const std::vector<Vec2>& corners, const Drawing& drawing) {
+std::string draw_domain(const std::vector<plane::Vec2>& corners, const Drawing& drawing) {
     SvgPath path(drawing.frame);
     path.move(corners[0]).line(corners[1]).line(corners[2]).line(corners[3]).close();
     const double width = drawing.width(0.04, 0.8, 1.4);
@@ -195,11 +197,11 @@ std::string draw_domain(const std::vector<Vec2>& corners, const Drawing& drawing
 }
 
 std::string draw_seam(const Drawing& drawing) {
-    const Tile& tile = drawing.tile;
+    const plane::Tile& tile = drawing.tile;
     std::string svg;
     for (const auto& [offset, colour] : seam_colours(tile)) {
         SvgPath path(drawing.frame);
-        for (const EdgePair& pair : tile.edge_pairs) {
+        for (const plane::EdgePair& pair : tile.edge_pairs) {
             if (translation_class(pair.offset) != offset) continue;
             path.move(tile.points[pair.v0]).line(tile.points[pair.v1]);
             path.move(tile.points[pair.w0]).line(tile.points[pair.w1]);
@@ -208,17 +210,17 @@ std::string draw_seam(const Drawing& drawing) {
     }
     if (tile.wall_edges.empty()) return svg;
     SvgPath walls(drawing.frame);
-    for (const WallEdge& edge : tile.wall_edges) {
+    for (const plane::WallEdge& edge : tile.wall_edges) {
         walls.move(tile.points[edge.v0]).line(tile.points[edge.v1]);
     }
     return svg + walls.element(svg_stroke(kWallColour, drawing.width(0.13, 1.6, 7)));
 }
 
 /// The names of the walls without their prefix, and of the holes: "bottom, top, fibre".
-std::string wall_names(const Tile& tile) {
+std::string wall_names(const plane::Tile& tile) {
     constexpr std::size_t kPrefix = std::string_view("wall_").size();
     std::string names;
-    for (const WallSideRow& row : kWallSides) {
+    for (const plane::WallSideRow& row : plane::kWallSides) {
         if (!has_walls_across(tile.walls, row.axis)) continue;
         names += (names.empty() ? "" : ", ") + std::string(row.word).substr(kPrefix);
     }
@@ -230,11 +232,11 @@ std::string counted(int n, const std::string& noun) {
     return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
 }
 
-std::string caption(const Tile& tile) {
+std::string caption(const plane::Tile& tile) {
     const int n = count_drawn_sites(tile);
     const std::string triangles = counted(tile.n_faces(), "triangle");
-    const MeshKindRow& kind = mesh_kind_row(tile.kind);
-    const bool has_walls = tile.walls != Walls::kNone;
+    const plane::MeshKindRow& kind = mesh_kind_row(tile.kind);
+    const bool has_walls = tile.walls != plane::Walls::kNone;
     const std::string tile_word = has_walls ? " tile between walls, " : " tile, ";
     const std::string periodic = has_walls ? "" : "Periodic ";
     if (!kind.faces_have_sites) {
@@ -249,7 +251,7 @@ std::string caption(const Tile& tile) {
            (are_cells ? counted(n, "cell") : counted(tile.n_faces(), "piece") + " of cells");
 }
 
-std::vector<LegendEntry> colour_entries(const Tile& tile, const TileColours& colours) {
+std::vector<LegendEntry> colour_entries(const plane::Tile& tile, const TileColours& colours) {
     const bool owned = faces_have_sites(tile.kind);
     std::vector<LegendEntry> entries;
     for (const ColourClass& shown : colours.classes) {
@@ -261,7 +263,7 @@ std::vector<LegendEntry> colour_entries(const Tile& tile, const TileColours& col
     return entries;
 }
 
-Legend make_legend(const Tile& tile, const SvgDomain& domain, const TileColours& colours) {
+Legend make_legend(const plane::Tile& tile, const SvgDomain& domain, const TileColours& colours) {
     Legend legend{caption(tile) + colours.explanation, colour_entries(tile, colours)};
     for (const auto& [offset, colour] : seam_colours(tile)) {
         const std::string pair = std::to_string(offset.i) + ", " + std::to_string(offset.j);
@@ -275,11 +277,11 @@ Legend make_legend(const Tile& tile, const SvgDomain& domain, const TileColours&
     return legend;
 }
 
-std::string encode(const Tile& tile, const FileOptions& options) {
+std::string encode(const plane::Tile& tile, const FileOptions& options) {
     require_finite(tile);
     // The frame includes the tile and the fundamental domain.
     const SvgDomain domain = drawn_domain(tile);
-    std::vector<Vec2> drawn = tile.points;
+    std::vector<plane::Vec2> drawn = tile.points;
     drawn.insert(drawn.end(), domain.corners.begin(), domain.corners.end());
     const SvgFrame frame(drawn);
     const double spacing = frame.scale() * std::sqrt(tile.lattice.area() / count_drawn_sites(tile));
@@ -297,14 +299,14 @@ std::string encode(const Tile& tile, const FileOptions& options) {
     svg += draw_faces(drawing, colouring_row(colouring).shows_values);
     svg += draw_domain(domain.corners, drawing);
     svg += draw_seam(drawing);
-    if (tile.kind == MeshKind::kDelaunay) svg += draw_sites(drawing);
+    if (tile.kind == plane::MeshKind::kDelaunay) svg += draw_sites(drawing);
     svg += "</g>\n" + svg_text_group();
     return svg + placed.svg + "</g>\n</svg>\n";
 }
 
 }  // namespace
 
-std::vector<EncodedFile> encode_svg(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_svg(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path) {
     return only_file(path, encode(tile, options));
 }

@@ -2,7 +2,7 @@
 
 #include "io/tiles/encoded_file.hpp"
 #include "io/tiles/file_options.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -20,7 +20,7 @@ namespace pcvt {
 ///     for (const EncodedFile& file : encode_svg(tile, {}, "tile.svg")) {
 ///         output.stage(file.path, file.bytes);
 ///     }
-std::vector<EncodedFile> encode_svg(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_svg(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path);
 
 }  // namespace pcvt

@@ -3,20 +3,20 @@
 #include <string>
 #include <vector>
 
-#include "mesher/lattice/lattice.hpp"
-#include "mesher/materials/cell_materials.hpp"
-#include "mesher/mesh/cell_table.hpp"
+#include "mesher/plane/geometry/lattice.hpp"
+#include "mesher/plane/materials/cell_materials.hpp"
+#include "mesher/plane/mesh/cell_table.hpp"
 
 namespace pcvt {
 
 /// The rows of a table of cells, one a site.
 struct CellRows {
     /// 2 x n, length units.
-    Points sites;
-    CellTable cells;
+    plane::Points sites;
+    plane::CellTable cells;
     /// length^2, one a site; empty without weights.
     Eigen::VectorXd weights = {};
-    CellMaterials materials = {};
+    plane::CellMaterials materials = {};
     /// Whether the phases are the tags of inclusions.
     bool phases_are_tags = false;
     /// The orbit of each site under the symmetry of the run; empty without one.

@@ -108,23 +108,24 @@ class Formula {
     Formula(const Formula&) = delete;
     Formula& operator=(const Formula&) = delete;
 
-    double operator()(const DensityPoint& point) {
+    double operator()(const plane::DensityPoint& point) {
         point_ = point;
         return parser_.Eval();
     }
 
    private:
-    DensityPoint point_{0.5, 0.5, 0.5, 0.5};
+    plane::DensityPoint point_{0.5, 0.5, 0.5, 0.5};
     mu::Parser parser_;
 };
 
 }  // namespace
 
-Density expression_density(const std::string& expression) {
+plane::Density expression_density(const std::string& expression) {
     const Formula once(expression);
-    return {[expression]() -> DensityFunction {
+    return {[expression]() -> plane::DensityFunction {
         const auto formula = std::make_shared<Formula>(expression);
-        return pointwise([formula](const DensityPoint& point) { return (*formula)(point); });
+        return plane::pointwise(
+            [formula](const plane::DensityPoint& point) { return (*formula)(point); });
     }};
 }
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "mesher/density/density.hpp"
+#include "mesher/plane/density/density.hpp"
 
 namespace pcvt {
 
@@ -19,6 +19,6 @@ namespace pcvt {
 ///     const std::vector<double> rho = densities_at(density, lattice, points);
 ///
 /// @throws InvalidInput `character 7: problem; remedy`, with characters counted from 1.
-Density expression_density(const std::string& expression);
+plane::Density expression_density(const std::string& expression);
 
 }  // namespace pcvt

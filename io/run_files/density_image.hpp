@@ -3,7 +3,7 @@
 #include <string>
 
 #include "io/run_files/png_image.hpp"
-#include "mesher/density/density.hpp"
+#include "mesher/plane/density/density.hpp"
 
 namespace pcvt {
 
@@ -21,12 +21,12 @@ struct GreyRange {
 /// Example usage:
 ///     const Density density = png_density("spacing.png", {.black = 0.01, .white = 1});
 ///     const std::vector<double> rho = densities_at(density, lattice, points);
-Density image_density(GreyImage image, const GreyRange& range);
+plane::Density image_density(GreyImage image, const GreyRange& range);
 
 /// Returns the density of a PNG file.
 /// @throws BadFile, LimitExceeded as decode_png() does; BadFile also if the file cannot be read,
 ///         LimitExceeded also for more than 256 MiB.
-Density png_density(const std::string& path, const GreyRange& range);
+plane::Density png_density(const std::string& path, const GreyRange& range);
 
 /// Returns the height over the width of the picture in a PNG file. @throws as png_density().
 double png_height_over_width(const std::string& path);

@@ -7,19 +7,19 @@
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/text.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/materials/phase_fractions.hpp"
+#include "mesher/plane/materials/phase_fractions.hpp"
 
 namespace pcvt {
 namespace {
 
 using Numbers = std::span<const double>;
 
-Shape circle(Numbers x) { return Circle{{x[0], x[1]}, x[2]}; }
+plane::Shape circle(Numbers x) { return plane::Circle{{x[0], x[1]}, x[2]}; }
 
-Shape ellipse(Numbers x) { return Ellipse{{x[0], x[1]}, x[2], x[3], x[4]}; }
+plane::Shape ellipse(Numbers x) { return plane::Ellipse{{x[0], x[1]}, x[2], x[3], x[4]}; }
 
-Shape polygon(Numbers x) {
-    Polygon corners;
+plane::Shape polygon(Numbers x) {
+    plane::Polygon corners;
     for (std::size_t k = 0; k + 1 < x.size(); k += 2) corners.emplace_back(x[k], x[k + 1]);
     return corners;
 }
@@ -33,7 +33,7 @@ struct ShapeRow {
     std::size_t fewest;
     /// With more than `fewest`, there may be any number of pairs.
     bool takes_more_pairs;
-    Shape (*make)(Numbers);
+    plane::Shape (*make)(Numbers);
 };
 
 constexpr std::array kShapes{
@@ -59,7 +59,7 @@ int tag_number(const LineScanner& scanner, std::string_view word, std::vector<st
     const auto number = static_cast<int>(known - tags.begin()) + 1;
     if (known != tags.end()) return number;
     try {
-        require_phase_names({kMatrixTag, std::string(word)});
+        plane::require_phase_names({kMatrixTag, std::string(word)});
     } catch (const InvalidInput& fault) {
         scanner.throw_bad_file("the tag " + in_quotes(word) + ": " + fault.what());
     }
@@ -70,14 +70,14 @@ int tag_number(const LineScanner& scanner, std::string_view word, std::vector<st
 /// Requires that the tags differ by more than their case, and are not too many.
 void require_distinct_tags(const std::string& name, const std::vector<std::string>& tags) {
     try {
-        require_phase_names(tags);
+        plane::require_phase_names(tags);
     } catch (const InvalidInput& fault) {
         throw BadFile(name + ": " + fault.what());
     }
 }
 
-Shape parse_shape(const LineScanner& scanner, const ShapeRow& row,
-                  std::span<const std::string_view> words) {
+plane::Shape parse_shape(const LineScanner& scanner, const ShapeRow& row,
+                         std::span<const std::string_view> words) {
     const bool fits = row.takes_more_pairs
                           ? words.size() >= row.fewest && words.size() % 2 == row.fewest % 2
                           : words.size() == row.fewest;
@@ -113,7 +113,7 @@ InclusionFile parse_inclusions(const std::string& name, std::string_view text) {
         const ShapeRow& row = shape_row(scanner, words[0]);
         if (words.size() < 2) scanner.throw_bad_file(std::string("a tag is missing; ") + kForms);
         const int tag = tag_number(scanner, words[1], file.tags);
-        Shape shape = parse_shape(scanner, row, std::span(words).subspan(2));
+        plane::Shape shape = parse_shape(scanner, row, std::span(words).subspan(2));
         file.inclusions.push_back({.shape = std::move(shape), .tag = tag, .line = scanner.line()});
     }
     if (file.inclusions.empty()) throw BadFile(name + ": holds no inclusion; " + kForms);
@@ -121,14 +121,14 @@ InclusionFile parse_inclusions(const std::string& name, std::string_view text) {
     return file;
 }
 
-RandomCircles parse_fibres(std::string_view text) {
+plane::RandomCircles parse_fibres(std::string_view text) {
     const std::vector<std::string_view> words = between_commas(text);
     if (words.size() != 2 && words.size() != 3) {
         throw InvalidInput(in_quotes(text) +
                            " does not describe fibres; write FRACTION,N or FRACTION,N,GAP, "
                            "such as 0.5,30");
     }
-    RandomCircles fibres{.fraction = parse_number(words[0]), .n = parse_integer(words[1])};
+    plane::RandomCircles fibres{.fraction = parse_number(words[0]), .n = parse_integer(words[1])};
     if (words.size() == 3) fibres.gap = parse_number(words[2]);
     return fibres;
 }

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "mesher/interfaces/inclusion.hpp"
-#include "mesher/interfaces/random_circles.hpp"
+#include "mesher/plane/interfaces/inclusion.hpp"
+#include "mesher/plane/interfaces/random_circles.hpp"
 
 namespace pcvt {
 
@@ -22,7 +22,7 @@ struct InclusionFile {
     /// The file's name, for messages and reports.
     std::string name;
     /// Inclusion::line counts from 1.
-    std::vector<Inclusion> inclusions;
+    std::vector<plane::Inclusion> inclusions;
     /// The words of the tags 1, 2, ... in the order in which they first occur.
     std::vector<std::string> tags;
 };
@@ -43,7 +43,7 @@ InclusionFile read_inclusions(const std::string& path);
 
 /// Reads "FRACTION,N" or "FRACTION,N,GAP", such as 0.5,30.
 /// @throws InvalidInput with the remedy.
-RandomCircles parse_fibres(std::string_view text);
+plane::RandomCircles parse_fibres(std::string_view text);
 
 /// Reads tags with commas between them, such as fibre,pore.
 std::vector<std::string> parse_tags(std::string_view text);

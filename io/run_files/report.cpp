@@ -22,7 +22,7 @@ std::string word(const std::string& value) {
     return json;
 }
 
-std::string word(const Vec2& v) { return "[" + word(v.x()) + ", " + word(v.y()) + "]"; }
+std::string word(const plane::Vec2& v) { return "[" + word(v.x()) + ", " + word(v.y()) + "]"; }
 
 std::string word(const Report::Grains& grains) {
     std::string corners;
@@ -61,7 +61,7 @@ std::string word(const Report::Seconds& s) {
            ", \"write\": " + word(s.write) + ", \"total\": " + word(s.total) + "}";
 }
 
-std::string word(const Lattice& lattice) {
+std::string word(const plane::Lattice& lattice) {
     return "[" + word(lattice.a()) + ", " + word(lattice.b()) + "]";
 }
 

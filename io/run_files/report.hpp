@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mesher/base/coincident_sites.hpp"
-#include "mesher/lattice/lattice.hpp"
+#include "mesher/plane/geometry/lattice.hpp"
 
 namespace pcvt {
 
@@ -29,7 +29,7 @@ struct Report {
 
     /// The best exact lattice for the number of sites.
     struct Pattern {
-        Lattice basis;
+        plane::Lattice basis;
         /// {a, b, d}: the vectors (d, -b) / n and (0, a) / n, in the reduced period vectors, span
         /// the lattice.
         std::array<int, 3> hermite;
@@ -42,7 +42,7 @@ struct Report {
     /// A corner of a cell that is sharper than the angles which grains aim at.
     struct SharpCorner {
         int site;
-        Vec2 point;
+        plane::Vec2 point;
         double angle;
     };
     struct Grains {
@@ -142,7 +142,7 @@ struct Report {
 
     std::string version;
     int sites;
-    Lattice lattice;
+    plane::Lattice lattice;
     std::uint64_t seed;
     std::string solver;
     std::string start;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/bytes/bad_file.hpp"
-#include "mesher/lattice/lattice.hpp"
+#include "mesher/plane/geometry/lattice.hpp"
 
 namespace pcvt {
 

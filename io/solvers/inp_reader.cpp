@@ -66,7 +66,7 @@ struct Equation {
 struct Tie {
     int master;
     int line;
-    Vec2 translation;
+    plane::Vec2 translation;
 };
 
 class InpParser {
@@ -279,10 +279,11 @@ class InpParser {
 
 }  // namespace
 
-TileFile decode_inp(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
+TileFile decode_inp(const std::vector<EncodedFile>& files,
+                    const std::optional<plane::Lattice>& lattice) {
     const EncodedFile& inp = files.front();
     refuse_binary(inp.path, inp.bytes, "give an Abaqus or CalculiX input");
-    return finish(InpParser(inp.path, inp.bytes).parse(), lattice, Precision::kDouble);
+    return finish(InpParser(inp.path, inp.bytes).parse(), lattice, plane::Precision::kDouble);
 }
 
 }  // namespace pcvt

@@ -55,11 +55,11 @@ constexpr const char* kExplanation =
     "** CONTROL_2 has e_yy in 2. Lines that begin with \"** pcvt\" hold what no card does.\n";
 
 /// Returns the largest absolute value of a coordinate or of a component of a translation.
-double largest_number(const Tile& tile) {
+double largest_number(const plane::Tile& tile) {
     double largest = 0;
-    for (const Vec2& p : tile.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    for (const VertexPair& pair : tile.vertex_pairs) {
-        const Vec2 translation = tile.lattice.translation(pair.offset);
+    for (const plane::Vec2& p : tile.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    for (const plane::VertexPair& pair : tile.vertex_pairs) {
+        const plane::Vec2 translation = tile.lattice.translation(pair.offset);
         largest = std::max(largest, translation.cwiseAbs().maxCoeff());
     }
     return largest;
@@ -68,7 +68,7 @@ double largest_number(const Tile& tile) {
 /// Builds the text of one file, card by card.
 class InpText {
    public:
-    InpText(const Tile& tile, const FileOptions& options, std::string path)
+    InpText(const plane::Tile& tile, const FileOptions& options, std::string path)
         : tile_(tile),
           options_(options),
           cells_(tile),
@@ -92,13 +92,13 @@ class InpText {
     }
 
    private:
-    CellMaterials materials() const {
-        return options_.materials != nullptr ? *options_.materials : CellMaterials{};
+    plane::CellMaterials materials() const {
+        return options_.materials != nullptr ? *options_.materials : plane::CellMaterials{};
     }
     int control(int k) const { return nodes_.n_nodes() + k; }
 
     /// Whether walls leave no seam, so that no node is tied.
-    bool is_box() const { return tile_.walls == Walls::kXY; }
+    bool is_box() const { return tile_.walls == plane::Walls::kXY; }
 
     void append_real(double value) {
         if (numbers_.append(text_, value)) return;
@@ -109,17 +109,17 @@ class InpText {
     }
 
     void append_comments() {
-        const Vec2& a = tile_.lattice.a();
-        const Vec2& b = tile_.lattice.b();
+        const plane::Vec2& a = tile_.lattice.a();
+        const plane::Vec2& b = tile_.lattice.b();
         text_ = options_.job != SolverJob::kNone ? kWithJob
                 : options_.materials != nullptr  ? kWithSections
                                                  : kMeshAlone;
-        if (tile_.walls != Walls::kNone) {
+        if (tile_.walls != plane::Walls::kNone) {
             const std::string_view what(kPeriodicTile);
             text_.replace(text_.find(what), what.size(), kBetweenWalls);
         }
         text_ += is_box() ? kBoxExplanation : kExplanation;
-        if (tile_.walls != Walls::kNone) text_ += kWallSets;
+        if (tile_.walls != plane::Walls::kNone) text_ += kWallSets;
         text_ += "** pcvt kind " + file_word(tile_.kind) + "\n** pcvt lattice";
         for (const double number : {a.x(), a.y(), b.x(), b.y()}) {
             text_ += ' ';
@@ -136,7 +136,7 @@ class InpText {
         append_site_orbits(text_, "** pcvt ", options_.site_orbits);
     }
 
-    void append_node(int number, const Vec2& p) {
+    void append_node(int number, const plane::Vec2& p) {
         append_number(text_, number);
         text_ += ',';
         append_real(p.x());
@@ -146,11 +146,11 @@ class InpText {
     }
 
     void append_nodes() {
-        text_ += "*NODE,NSET=" + upper_case(kAllNodesSet) + "\n";
+        text_ += "*NODE,NSET=" + upper_case(plane::kAllNodesSet) + "\n";
         for (int v = 0; v < nodes_.n_nodes(); ++v) append_node(v + 1, nodes_.points[v]);
         if (is_box()) return;
         for (const int k : {1, 2}) {
-            text_ += "*NODE,NSET=" + upper_case(kControlSet) + std::to_string(k) + "\n";
+            text_ += "*NODE,NSET=" + upper_case(plane::kControlSet) + std::to_string(k) + "\n";
             append_node(control(k), tile_.points[0]);
         }
     }
@@ -160,7 +160,7 @@ class InpText {
                                                      return row.element == options_.element;
                                                  })->word;
         text_ += tile_.order == 2 ? "6,ELSET=" : "3,ELSET=";
-        text_ += upper_case(kAllElementsSet) + "\n";
+        text_ += upper_case(plane::kAllElementsSet) + "\n";
         for (int f = 0; f < tile_.n_faces(); ++f) {
             append_number(text_, f + 1);
             for (const int v : element_nodes(tile_, nodes_, f)) {
@@ -184,7 +184,7 @@ class InpText {
         add_cells_without_triangles(elements);
         for (const auto& [cell, ids] : elements) {
             cell_sets_.push_back(cell);
-            text_ += "*ELSET,ELSET=" + upper_case(kCellSet) + std::to_string(cell) + "\n";
+            text_ += "*ELSET,ELSET=" + upper_case(plane::kCellSet) + std::to_string(cell) + "\n";
             append_ids(ids);
         }
     }
@@ -213,10 +213,10 @@ class InpText {
 
     void append_node_sets() {
         const CellContacts contacts = cell_contacts(tile_, nodes_, cells_);
-        append_node_set(upper_case(kGrainBoundarySet), contacts.of_two_cells);
-        append_node_set(upper_case(kTriplePointsSet), contacts.of_three_cells);
-        std::map<Offset, std::set<int>> seams;
-        std::map<WallId, std::set<int>> walls;
+        append_node_set(upper_case(plane::kGrainBoundarySet), contacts.of_two_cells);
+        append_node_set(upper_case(plane::kTriplePointsSet), contacts.of_three_cells);
+        std::map<plane::Offset, std::set<int>> seams;
+        std::map<plane::WallId, std::set<int>> walls;
         for (const SeamSegment& segment : seam_segments(tile_, nodes_.middles)) {
             std::set<int>& ids = segment.wall ? walls[*segment.wall] : seams[segment.offset];
             ids.insert(segment.vertices.begin(), segment.vertices.end());
@@ -227,17 +227,18 @@ class InpText {
         }
         for (auto& [wall, ids] : walls) {
             // Solvers refuse boundary conditions on nodes that an equation determines.
-            for (const VertexPair& pair : nodes_.pairs) ids.erase(pair.w);
+            for (const plane::VertexPair& pair : nodes_.pairs) ids.erase(pair.w);
             append_node_set(upper_case(wall_name(tile_, wall)), {ids.begin(), ids.end()});
         }
-        if (!is_box()) text_ += "*NSET,NSET=" + upper_case(kFixedSet) + "\n1\n";
+        if (!is_box()) text_ += "*NSET,NSET=" + upper_case(plane::kFixedSet) + "\n1\n";
     }
 
     /// Appends the sides of elements on each wall: side k of a triangle begins at its corner k.
     void append_wall_sides() {
-        std::map<std::pair<int, int>, WallId> wall_of;
-        for (const WallEdge& edge : tile_.wall_edges) wall_of[{edge.v0, edge.v1}] = edge.wall;
-        std::map<WallId, std::string> sides;
+        std::map<std::pair<int, int>, plane::WallId> wall_of;
+        for (const plane::WallEdge& edge : tile_.wall_edges)
+            wall_of[{edge.v0, edge.v1}] = edge.wall;
+        std::map<plane::WallId, std::string> sides;
         for (int f = 0; !wall_of.empty() && f < tile_.n_faces(); ++f) {
             const auto& corners = tile_.faces[f];
             for (int k = 0; k < 3; ++k) {
@@ -249,7 +250,7 @@ class InpText {
         }
         for (const auto& [wall, lines] : sides) {
             text_ += "*SURFACE,NAME=" + upper_case(wall_name(tile_, wall)) +
-                     upper_case(kSidesSuffix) + ",TYPE=ELEMENT\n" + lines;
+                     upper_case(plane::kSidesSuffix) + ",TYPE=ELEMENT\n" + lines;
         }
     }
 
@@ -260,8 +261,8 @@ class InpText {
         append_real(coefficient);
     }
 
-    void append_equation(const VertexPair& pair, int dof) {
-        const Vec2 t = tile_.lattice.translation(pair.offset);
+    void append_equation(const plane::VertexPair& pair, int dof) {
+        const plane::Vec2 t = tile_.lattice.translation(pair.offset);
         text_ += "4\n";
         append_term(pair.w + 1, dof, 1);
         text_ += ',';
@@ -276,13 +277,13 @@ class InpText {
     void append_equations() {
         if (is_box()) return;
         text_ += "*EQUATION\n";
-        for (const VertexPair& pair : nodes_.pairs) {
+        for (const plane::VertexPair& pair : nodes_.pairs) {
             append_equation(pair, 1);
             append_equation(pair, 2);
         }
     }
 
-    const Tile& tile_;
+    const plane::Tile& tile_;
     const FileOptions& options_;
     TriangleCells cells_;
     SolverNodes nodes_;
@@ -295,7 +296,7 @@ class InpText {
 
 }  // namespace
 
-std::vector<EncodedFile> encode_inp(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_inp(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path) {
     require_triangles(tile.kind, path);
     require_finite(tile);

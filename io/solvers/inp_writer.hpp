@@ -5,7 +5,7 @@
 
 #include "io/tiles/encoded_file.hpp"
 #include "io/tiles/file_options.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -46,7 +46,7 @@ namespace pcvt {
 /// @throws InvalidInput   if the tile has polygons, or is so small or large in its unit of length
 ///                        that 20 characters cannot hold its numbers.
 /// @throws InternalError  if a coordinate is not finite.
-std::vector<EncodedFile> encode_inp(const Tile& tile, const FileOptions& options,
+std::vector<EncodedFile> encode_inp(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path);
 
 }  // namespace pcvt

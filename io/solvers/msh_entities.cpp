@@ -31,7 +31,7 @@ struct NamedSide {
 
 class EntityFinder {
    public:
-    EntityFinder(const Tile& tile, const SolverNodes& nodes)
+    EntityFinder(const plane::Tile& tile, const SolverNodes& nodes)
         : tile_(tile), nodes_(nodes), cells_(tile), segments_(seam_segments(tile, nodes.middles)) {}
 
     MshEntities find() {
@@ -123,10 +123,11 @@ class EntityFinder {
             }
         }
         // The images of a point are points.
-        for (const VertexPair& pair : tile_.vertex_pairs) {
+        for (const plane::VertexPair& pair : tile_.vertex_pairs) {
             if (is_point_[pair.w]) is_point_[pair.v] = true;
         }
-        for (const VertexPair& pair : tile_.vertex_pairs) is_point_[pair.w] = is_point_[pair.v];
+        for (const plane::VertexPair& pair : tile_.vertex_pairs)
+            is_point_[pair.w] = is_point_[pair.v];
     }
 
     using Ends = std::array<int, 2>;
@@ -247,7 +248,7 @@ class EntityFinder {
         }
     }
 
-    const Tile& tile_;
+    const plane::Tile& tile_;
     const SolverNodes& nodes_;
     const TriangleCells cells_;
     const std::vector<SeamSegment> segments_;
@@ -264,7 +265,7 @@ class EntityFinder {
 
 }  // namespace
 
-MshEntities msh_entities(const Tile& tile, const SolverNodes& nodes) {
+MshEntities msh_entities(const plane::Tile& tile, const SolverNodes& nodes) {
     return EntityFinder(tile, nodes).find();
 }
 

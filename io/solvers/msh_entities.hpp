@@ -18,10 +18,10 @@ struct MshCurve {
     int right = -1;
     /// On the seam: the translation to its partner, and the index of that curve, which runs the
     /// other way.
-    Offset offset = {};
+    plane::Offset offset = {};
     int partner = -1;
     /// The wall on which it lies; nothing elsewhere.
-    std::optional<WallId> wall = {};
+    std::optional<plane::WallId> wall = {};
 
     bool bounds_tile() const { return right < 0; }
     bool is_seam() const { return bounds_tile() && !wall; }
@@ -60,6 +60,6 @@ struct MshEntities {
 /// @param nodes  solver_nodes() of the tile.
 /// @pre the tile consists of triangles and has its edge_pairs and wall_edges.
 /// @throws InternalError where its boundary does not consist of loops.
-MshEntities msh_entities(const Tile& tile, const SolverNodes& nodes);
+MshEntities msh_entities(const plane::Tile& tile, const SolverNodes& nodes);
 
 }  // namespace pcvt

@@ -2,7 +2,8 @@
 
 namespace pcvt {
 
-MshModel msh_model(const Tile& tile, const SolverNodes& nodes, const CellMaterials* materials) {
+MshModel msh_model(const plane::Tile& tile, const SolverNodes& nodes,
+                   const plane::CellMaterials* materials) {
     MshModel model{.entities = msh_entities(tile, nodes),
                    .point_tag = std::vector<int>(tile.points.size(), 0)};
     if (materials != nullptr) {

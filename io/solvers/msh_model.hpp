@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/solvers/msh_entities.hpp"
-#include "mesher/materials/cell_materials.hpp"
+#include "mesher/plane/materials/cell_materials.hpp"
 
 namespace pcvt {
 
@@ -19,14 +19,14 @@ namespace pcvt {
 ///     for (const MshSurface& cell : model.entities.surfaces) list(cell, model.groups(cell));
 struct MshModel {
     /// Without phases: empty.
-    CellMaterials materials = {};
+    plane::CellMaterials materials = {};
     MshEntities entities;
     /// Of each vertex; 0 where there is no point.
     std::vector<int> point_tag;
     /// The physical group of all curves with one offset.
-    std::map<Offset, int> seam_groups = {};
+    std::map<plane::Offset, int> seam_groups = {};
     /// The physical group of all curves on one wall.
-    std::map<WallId, int> wall_groups = {};
+    std::map<plane::WallId, int> wall_groups = {};
     int boundary_group = 0;
     bool has_boundary = false;
     /// The group of the first phase.
@@ -49,6 +49,7 @@ struct MshModel {
 
 /// @param nodes      solver_nodes() of the tile.
 /// @param materials  null: no phases.
-MshModel msh_model(const Tile& tile, const SolverNodes& nodes, const CellMaterials* materials);
+MshModel msh_model(const plane::Tile& tile, const SolverNodes& nodes,
+                   const plane::CellMaterials* materials);
 
 }  // namespace pcvt

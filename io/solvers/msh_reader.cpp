@@ -43,7 +43,7 @@ constexpr int kAffine = 16;
 
 /// The link of one slave curve in $Periodic.
 struct CurveLink {
-    Vec2 translation;
+    plane::Vec2 translation;
     std::map<int, int> master_of;
 };
 
@@ -144,7 +144,8 @@ class MshParser {
             const std::size_t first = file_.numbered.nodes.size();
             for (int k = 0; k < n; ++k) {
                 rows_.next_row(1);
-                file_.numbered.nodes.push_back({rows_.integer(0), rows_.line(), Vec2::Zero()});
+                file_.numbered.nodes.push_back(
+                    {rows_.integer(0), rows_.line(), plane::Vec2::Zero()});
             }
             for (int k = 0; k < n; ++k) {
                 rows_.next_row(3);
@@ -199,7 +200,7 @@ class MshParser {
         rows_.next_row(3);
         const bool of_curves = rows_.integer(0) == kMshCurves;
         const int slave = rows_.integer(1);
-        const Vec2 translation = parse_translation();
+        const plane::Vec2 translation = parse_translation();
         rows_.next_row(1);
         for (int n = rows_.count(0); n > 0; --n) {
             rows_.next_row(2);
@@ -212,7 +213,7 @@ class MshParser {
         }
     }
 
-    Vec2 parse_translation() {
+    plane::Vec2 parse_translation() {
         rows_.next_row(kAffine + 1);
         for (int k = 0; k < kAffine; ++k) {
             const bool shift = k == 3 || k == 7;
@@ -285,11 +286,12 @@ class MshParser {
 
 }  // namespace
 
-TileFile decode_msh(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
+TileFile decode_msh(const std::vector<EncodedFile>& files,
+                    const std::optional<plane::Lattice>& lattice) {
     const EncodedFile& msh = files.front();
     refuse_binary(msh.path, msh.bytes, "save it as ASCII, MSH 4.1");
     MshParser parser(msh.path, msh.bytes);
-    TileFile file = finish(parser.parse(), lattice, Precision::kDouble);
+    TileFile file = finish(parser.parse(), lattice, plane::Precision::kDouble);
     if (parser.group_fault()) throw BadFile(*parser.group_fault());
     return file;
 }

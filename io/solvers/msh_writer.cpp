@@ -23,10 +23,10 @@ constexpr int kTriangleOfOrder[] = {0, 2, 9};
 constexpr const char* kCellView = "cell_id";
 constexpr const char* kOrbitView = "orbit";
 
-void append_head(std::string& text, const Tile& tile, const MshModel& model,
+void append_head(std::string& text, const plane::Tile& tile, const MshModel& model,
                  std::span<const int> site_orbits) {
-    const Vec2& a = tile.lattice.a();
-    const Vec2& b = tile.lattice.b();
+    const plane::Vec2& a = tile.lattice.a();
+    const plane::Vec2& b = tile.lattice.b();
     text += "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nA periodic tile, written by pcvt\n";
     text += "pcvt kind " + file_word(tile.kind) + "\npcvt lattice ";
     append_msh_line(text, {a.x(), a.y(), b.x(), b.y()});
@@ -44,25 +44,26 @@ void append_head(std::string& text, const Tile& tile, const MshModel& model,
         append_msh_name(text, kMshCurves, group, wall_name(tile, wall));
     }
     if (model.has_boundary)
-        append_msh_name(text, kMshCurves, model.boundary_group, std::string(kGrainBoundarySet));
+        append_msh_name(text, kMshCurves, model.boundary_group,
+                        std::string(plane::kGrainBoundarySet));
     for (const MshSurface& cell : model.entities.surfaces) {
         append_msh_name(text, kMshSurfaces, cell.site + 1,
-                        std::string(kCellSet) + std::to_string(cell.site));
+                        std::string(plane::kCellSet) + std::to_string(cell.site));
     }
     for (const int phase : model.phases) {
         append_msh_name(text, kMshSurfaces, model.phase_group + phase,
-                        phase_group(model.materials.phase_names[phase]));
+                        plane::phase_group(model.materials.phase_names[phase]));
     }
     text += "$EndPhysicalNames\n";
 }
 
 /// The smallest box around some points.
 struct Bounds {
-    Vec2 low;
-    Vec2 high;
+    plane::Vec2 low;
+    plane::Vec2 high;
 
-    explicit Bounds(const Vec2& p) : low(p), high(p) {}
-    void add(const Vec2& p) {
+    explicit Bounds(const plane::Vec2& p) : low(p), high(p) {}
+    void add(const plane::Vec2& p) {
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
     }
@@ -74,17 +75,17 @@ void append_bounds(std::string& text, const Bounds& bounds) {
     append_msh_words(text, {bounds.high.x(), bounds.high.y(), 0.0});
 }
 
-void append_points(std::string& text, const Tile& tile, const MshModel& model) {
+void append_points(std::string& text, const plane::Tile& tile, const MshModel& model) {
     // Points without a physical group.
     for (std::size_t k = 0; k < model.entities.points.size(); ++k) {
-        const Vec2& p = tile.points[model.entities.points[k]];
+        const plane::Vec2& p = tile.points[model.entities.points[k]];
         append_msh_words(text, {static_cast<int>(k) + 1});
         append_msh_words(text, {p.x(), p.y(), 0.0});
         append_msh_line(text, {0});
     }
 }
 
-void append_curves(std::string& text, const Tile& tile, const MshModel& model) {
+void append_curves(std::string& text, const plane::Tile& tile, const MshModel& model) {
     // Curves with their physical group and their two ends.
     for (int k = 0; k < model.n_curves(); ++k) {
         const MshCurve& curve = model.entities.curves[k];
@@ -97,7 +98,7 @@ void append_curves(std::string& text, const Tile& tile, const MshModel& model) {
     }
 }
 
-void append_surfaces(std::string& text, const Tile& tile, const MshModel& model) {
+void append_surfaces(std::string& text, const plane::Tile& tile, const MshModel& model) {
     // Surfaces with the curves that have them on their left, and on their right.
     for (const MshSurface& cell : model.entities.surfaces) {
         Bounds bounds(tile.points[tile.faces[cell.triangles.front()].front()]);
@@ -117,7 +118,7 @@ void append_surfaces(std::string& text, const Tile& tile, const MshModel& model)
     }
 }
 
-void append_entities(std::string& text, const Tile& tile, const MshModel& model) {
+void append_entities(std::string& text, const plane::Tile& tile, const MshModel& model) {
     // Numbers of points, curves, surfaces and volumes.
     text += "$Entities\n";
     append_msh_line(text, {static_cast<int>(model.entities.points.size()), model.n_curves(),
@@ -172,7 +173,7 @@ int n_lines(const MshModel& model) {
     return n;
 }
 
-void append_elements(std::string& text, const Tile& tile, const SolverNodes& nodes,
+void append_elements(std::string& text, const plane::Tile& tile, const SolverNodes& nodes,
                      const MshModel& model) {
     // Lines come first in the file; their numbers follow the numbers of the triangles.
     const int n_elements = tile.n_faces() + n_lines(model);
@@ -202,12 +203,12 @@ void append_elements(std::string& text, const Tile& tile, const SolverNodes& nod
     text += "$EndElements\n";
 }
 
-std::array<double, 3> translation(const Tile& tile, Offset offset) {
-    const Vec2 t = tile.lattice.translation(offset);
+std::array<double, 3> translation(const plane::Tile& tile, plane::Offset offset) {
+    const plane::Vec2 t = tile.lattice.translation(offset);
     return {t.x(), t.y(), 0};
 }
 
-void append_curve_link(std::string& text, const Tile& tile, const MshModel& model, int k) {
+void append_curve_link(std::string& text, const plane::Tile& tile, const MshModel& model, int k) {
     const MshCurve& slave = model.entities.curves[k];
     const MshCurve& master = model.entities.curves[slave.partner];
     const auto append_pairs = [&](const std::vector<int>& slaves, const std::vector<int>& masters) {
@@ -222,31 +223,32 @@ void append_curve_link(std::string& text, const Tile& tile, const MshModel& mode
 }
 
 /// The link of each point to the image of it with the smallest offset, by the tags of the slaves.
-std::map<int, VertexPair> point_links(const Tile& tile, const MshModel& model) {
+std::map<int, plane::VertexPair> point_links(const plane::Tile& tile, const MshModel& model) {
     // The image with the smallest offset, by the representative.
-    std::map<int, VertexPair> masters;
-    for (const VertexPair& pair : tile.vertex_pairs) {
-        VertexPair& master =
-            masters.try_emplace(pair.v, VertexPair{pair.v, pair.v, Offset{}}).first->second;
+    std::map<int, plane::VertexPair> masters;
+    for (const plane::VertexPair& pair : tile.vertex_pairs) {
+        plane::VertexPair& master =
+            masters.try_emplace(pair.v, plane::VertexPair{pair.v, pair.v, plane::Offset{}})
+                .first->second;
         if (pair.offset < master.offset) master = pair;
     }
-    std::map<int, VertexPair> links;
-    const auto link = [&](int v, int representative, Offset offset) {
-        const VertexPair& master = masters.at(representative);
+    std::map<int, plane::VertexPair> links;
+    const auto link = [&](int v, int representative, plane::Offset offset) {
+        const plane::VertexPair& master = masters.at(representative);
         if (model.point_tag[v] == 0 || v == master.w) return;
-        links.emplace(model.point_tag[v], VertexPair{master.w, v, offset - master.offset});
+        links.emplace(model.point_tag[v], plane::VertexPair{master.w, v, offset - master.offset});
     };
     for (const auto& [representative, master] : masters) link(representative, representative, {});
-    for (const VertexPair& pair : tile.vertex_pairs) link(pair.w, pair.v, pair.offset);
+    for (const plane::VertexPair& pair : tile.vertex_pairs) link(pair.w, pair.v, pair.offset);
     return links;
 }
 
-void append_periodic(std::string& text, const Tile& tile, const MshModel& model) {
-    const std::map<int, VertexPair> links = point_links(tile, model);
+void append_periodic(std::string& text, const plane::Tile& tile, const MshModel& model) {
+    const std::map<int, plane::VertexPair> links = point_links(tile, model);
     std::vector<int> slaves;
     for (int k = 0; k < model.n_curves(); ++k) {
         const MshCurve& curve = model.entities.curves[k];
-        if (curve.is_seam() && curve.offset < Offset{}) slaves.push_back(k);
+        if (curve.is_seam() && curve.offset < plane::Offset{}) slaves.push_back(k);
     }
     // A box between four walls has no periodic entities.
     if (slaves.empty()) return;
@@ -265,7 +267,7 @@ void append_periodic(std::string& text, const Tile& tile, const MshModel& model)
 constexpr int kNoCell = -1;
 
 /// The values of triangles, and kNoCell for lines, in the order of append_elements().
-std::vector<MshValue> element_values(const Tile& tile, const MshModel& model,
+std::vector<MshValue> element_values(const plane::Tile& tile, const MshModel& model,
                                      const std::vector<int>& of_triangle) {
     std::vector<MshValue> values;
     for (int e = tile.n_faces(); e < tile.n_faces() + n_lines(model); ++e) {
@@ -294,8 +296,8 @@ std::vector<MshValue> node_values(const MshModel& model, const std::vector<SiteI
 
 }  // namespace
 
-std::vector<EncodedFile> encode_msh(const Tile& tile, const std::string& path,
-                                    const CellMaterials* materials,
+std::vector<EncodedFile> encode_msh(const plane::Tile& tile, const std::string& path,
+                                    const plane::CellMaterials* materials,
                                     std::span<const int> site_orbits) {
     require_triangles(tile.kind, path);
     require_finite(tile);

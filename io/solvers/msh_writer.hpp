@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/materials/cell_materials.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/materials/cell_materials.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -35,8 +35,8 @@ namespace pcvt {
 /// @param site_orbits  of the sites of one period; empty: none.
 /// @throws InvalidInput   if the tile has polygons.
 /// @throws InternalError  if a coordinate is not finite.
-std::vector<EncodedFile> encode_msh(const Tile& tile, const std::string& path,
-                                    const CellMaterials* materials = nullptr,
+std::vector<EncodedFile> encode_msh(const plane::Tile& tile, const std::string& path,
+                                    const plane::CellMaterials* materials = nullptr,
                                     std::span<const int> site_orbits = {});
 
 }  // namespace pcvt

@@ -10,7 +10,7 @@
 #include "io/tiles/file_tile_builder.hpp"
 #include "io/tiles/midside_nodes.hpp"
 #include "io/tiles/site_notes.hpp"
-#include "mesher/materials/phase_fractions.hpp"
+#include "mesher/plane/materials/phase_fractions.hpp"
 
 namespace pcvt {
 namespace {
@@ -21,7 +21,7 @@ class VtuTile {
     VtuTile(const std::string& name, const VtuArrays& arrays)
         : arrays_(arrays), file_{.name = name, .index_base = 0} {}
 
-    FileTileBuilder make(const std::optional<Lattice>& lattice, Precision precision) {
+    FileTileBuilder make(const std::optional<plane::Lattice>& lattice, plane::Precision precision) {
         take_points();
         take_faces();
         if (const VtuArray* periods = arrays_.find("FieldData/PeriodicLattice"))
@@ -107,7 +107,7 @@ class VtuTile {
         arrays_.get("FieldData/PeriodicLattice", 2, 2, false);
         const std::vector<double>& n = array.values;
         try {
-            file_.lattice.emplace(Vec2(n[0], n[1]), Vec2(n[2], n[3]));
+            file_.lattice.emplace(plane::Vec2(n[0], n[1]), plane::Vec2(n[2], n[3]));
         } catch (const InvalidInput& fault) {
             throw_bad_file(array.line, fault.what());
         }
@@ -153,14 +153,14 @@ class VtuTile {
         for (int v = 0; v < n; ++v) {
             const auto k = static_cast<std::size_t>(v);
             const int orbit = orbits.integer(k);
-            const Offset offset{offsets.integer(2 * k), offsets.integer(2 * k + 1)};
+            const plane::Offset offset{offsets.integer(2 * k), offsets.integer(2 * k + 1)};
             if (orbit < 0 || orbit >= n) {
                 throw_bad_file(orbits.lines[k], "point " + std::to_string(orbit) +
                                                     " does not exist; correct the id");
             }
             if (orbit != v) {
                 file_.vertex_pairs.push_back({orbit, v, offset});
-            } else if (offset != Offset{}) {
+            } else if (offset != plane::Offset{}) {
                 throw_bad_file(offsets.lines[2 * k],
                                "a point has an offset to itself; write the file again with pcvt");
             }
@@ -172,9 +172,9 @@ class VtuTile {
     void take_kind_and_sites() {
         const bool of_points = arrays_.find("PointData/CellId") != nullptr;
         const bool of_faces = arrays_.find("CellData/CellId") != nullptr && !of_points;
-        file_.kind = type_ == kVtkPolygon        ? MeshKind::kVoronoi
-                     : of_faces && file_.lattice ? MeshKind::kGrains
-                                                 : MeshKind::kDelaunay;
+        file_.kind = type_ == kVtkPolygon        ? plane::MeshKind::kVoronoi
+                     : of_faces && file_.lattice ? plane::MeshKind::kGrains
+                                                 : plane::MeshKind::kDelaunay;
         const bool owned = faces_have_sites(*file_.kind);
         const std::string key = owned ? "CellData/CellId" : "PointData/CellId";
         if (arrays_.find(key) == nullptr || !file_.lattice) return;
@@ -229,11 +229,11 @@ class VtuTile {
     }
 
     void take_phases() {
-        CellMaterials& materials = file_.materials;
+        plane::CellMaterials& materials = file_.materials;
         const VtuArray& names = arrays_.get("FieldData/PhaseNames", -1, 1, true);
         materials.phase_names = strings(names);
         try {
-            require_phase_names(materials.phase_names);
+            plane::require_phase_names(materials.phase_names);
         } catch (const InvalidInput& fault) {
             throw_bad_file(names.line, fault.what());
         }
@@ -254,13 +254,15 @@ class VtuTile {
 
 }  // namespace
 
-TileFile decode_vtu(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice) {
+TileFile decode_vtu(const std::vector<EncodedFile>& files,
+                    const std::optional<plane::Lattice>& lattice) {
     const EncodedFile& vtu = files.front();
     refuse_binary(vtu.path, vtu.bytes, "export it as ASCII");
     const VtuArrays arrays(vtu.path, vtu.bytes);
     const VtuArray* points = arrays.find("Points/Points");
     const bool single = points != nullptr && points->type == "Float32";
-    const Precision precision = single ? Precision::kSingle : Precision::kDouble;
+    const plane::Precision precision =
+        single ? plane::Precision::kSingle : plane::Precision::kDouble;
     return finish(VtuTile(vtu.path, arrays).make(lattice, precision), lattice, precision);
 }
 

@@ -20,6 +20,7 @@ namespace pcvt {
 ///     const TileProof proof = prove_tile(file.tile, file.precision);
 ///
 /// @throws BadFile with the line.
-TileFile decode_vtu(const std::vector<EncodedFile>& files, const std::optional<Lattice>& lattice);
+TileFile decode_vtu(const std::vector<EncodedFile>& files,
+                    const std::optional<plane::Lattice>& lattice);
 
 }  // namespace pcvt

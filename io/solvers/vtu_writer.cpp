@@ -14,11 +14,11 @@ namespace pcvt {
 namespace {
 
 /// Appends an array of the whole grid with two numbers a tuple.
-void append_vectors(std::string& text, const char* name, const std::vector<Vec2>& vectors) {
+void append_vectors(std::string& text, const char* name, const std::vector<plane::Vec2>& vectors) {
     open_vtk_array(
         text, "Float64", name,
         " NumberOfTuples=\"" + std::to_string(vectors.size()) + "\" NumberOfComponents=\"2\"");
-    for (const Vec2& vector : vectors) {
+    for (const plane::Vec2& vector : vectors) {
         append_vtk_word(text, vector.x());
         append_vtk_word(text, vector.y());
         end_vtk_line(text);
@@ -67,11 +67,11 @@ void append_site_phases(std::string& text, const std::vector<int>& phases) {
 }
 
 /// Appends the names of holes, and the hole and the two points of each edge on one.
-void append_holes(std::string& text, const Tile& tile) {
+void append_holes(std::string& text, const plane::Tile& tile) {
     if (tile.holes.empty()) return;
     append_strings(text, "HoleNames", tile.holes);
     const auto n = std::count_if(tile.wall_edges.begin(), tile.wall_edges.end(),
-                                 [](const WallEdge& edge) { return edge.wall.is_hole(); });
+                                 [](const plane::WallEdge& edge) { return edge.wall.is_hole(); });
     open_vtk_array(text, "Int32", "HoleEdges",
                    " NumberOfTuples=\"" + std::to_string(n) + "\" NumberOfComponents=\"3\"");
     for (const auto& [wall, v, w] : tile.wall_edges) {
@@ -82,7 +82,8 @@ void append_holes(std::string& text, const Tile& tile) {
     close_vtk_array(text);
 }
 
-void append_field_data(std::string& text, const Tile& tile, const CellMaterials& materials) {
+void append_field_data(std::string& text, const plane::Tile& tile,
+                       const plane::CellMaterials& materials) {
     text += "<FieldData>\n";
     if (!materials.site_phase.empty()) {
         append_strings(text, "PhaseNames", materials.phase_names);
@@ -94,13 +95,13 @@ void append_field_data(std::string& text, const Tile& tile, const CellMaterials&
     text += "</FieldData>\n";
 }
 
-void append_point_data(std::string& text, const Tile& tile, const SolverNodes& nodes) {
+void append_point_data(std::string& text, const plane::Tile& tile, const SolverNodes& nodes) {
     // A node without a pair represents its own orbit.
     std::vector<int> ids(nodes.points.size());
     std::iota(ids.begin(), ids.end(), 0);
     std::vector<int> orbits = ids;
-    std::vector<Offset> offsets(nodes.points.size());
-    for (const VertexPair& pair : nodes.pairs) {
+    std::vector<plane::Offset> offsets(nodes.points.size());
+    for (const plane::VertexPair& pair : nodes.pairs) {
         orbits[pair.w] = pair.v;
         offsets[pair.w] = pair.offset;
     }
@@ -109,7 +110,7 @@ void append_point_data(std::string& text, const Tile& tile, const SolverNodes& n
     append_vtk_integers(text, "Int64", "GlobalIds", ids);
     append_vtk_integers(text, "Int64", "PeriodicPointIds", orbits);
     open_vtk_array(text, "Int32", "PeriodicOffset", " NumberOfComponents=\"2\"");
-    for (const Offset& offset : offsets) {
+    for (const plane::Offset& offset : offsets) {
         append_vtk_word(text, offset.i);
         append_vtk_word(text, offset.j);
         end_vtk_line(text);
@@ -124,10 +125,10 @@ void append_point_data(std::string& text, const Tile& tile, const SolverNodes& n
     text += "</PointData>\n";
 }
 
-void append_points(std::string& text, const std::vector<Vec2>& points) {
+void append_points(std::string& text, const std::vector<plane::Vec2>& points) {
     text += "<Points>\n";
     open_vtk_array(text, "Float64", "Points", " NumberOfComponents=\"3\"");
-    for (const Vec2& p : points) {
+    for (const plane::Vec2& p : points) {
         append_vtk_word(text, p.x());
         append_vtk_word(text, p.y());
         append_vtk_word(text, 0);
@@ -137,12 +138,12 @@ void append_points(std::string& text, const std::vector<Vec2>& points) {
     text += "</Points>\n";
 }
 
-int vtk_type(const Tile& tile) {
-    if (tile.kind == MeshKind::kVoronoi) return kVtkPolygon;
+int vtk_type(const plane::Tile& tile) {
+    if (tile.kind == plane::MeshKind::kVoronoi) return kVtkPolygon;
     return tile.order == 2 ? kVtkQuadraticTriangle : kVtkTriangle;
 }
 
-void append_cells(std::string& text, const Tile& tile, const SolverNodes& nodes) {
+void append_cells(std::string& text, const plane::Tile& tile, const SolverNodes& nodes) {
     std::vector<int> ends;
     int end = 0;
     text += "<Cells>\n";
@@ -172,8 +173,8 @@ void append_numbers_of_sites(std::string& text, const char* name, std::vector<in
     append_vtk_integers(text, "Int32", name, cells);
 }
 
-void append_cell_data(std::string& text, const Tile& tile, std::span<const int> site_orbits,
-                      const CellMaterials& materials) {
+void append_cell_data(std::string& text, const plane::Tile& tile, std::span<const int> site_orbits,
+                      const plane::CellMaterials& materials) {
     const std::vector<int> cells = element_cells(tile);
     text += "<CellData>\n";
     append_vtk_integers(text, "Int32", "CellId", cells);
@@ -184,9 +185,9 @@ void append_cell_data(std::string& text, const Tile& tile, std::span<const int> 
 
 }  // namespace
 
-std::vector<EncodedFile> encode_vtu(const Tile& tile, const std::string& path,
+std::vector<EncodedFile> encode_vtu(const plane::Tile& tile, const std::string& path,
                                     std::span<const int> site_orbits,
-                                    const CellMaterials& materials) {
+                                    const plane::CellMaterials& materials) {
     require_finite(tile);
     const SolverNodes nodes = solver_nodes(tile);
     std::string text =

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/materials/cell_materials.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/materials/cell_materials.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -41,8 +41,8 @@ namespace pcvt {
 /// @param site_orbits  of the sites of one period; empty: none.
 /// @param materials    of the sites of one period; the phases are written.
 /// @throws InternalError if a coordinate is not finite.
-std::vector<EncodedFile> encode_vtu(const Tile& tile, const std::string& path,
+std::vector<EncodedFile> encode_vtu(const plane::Tile& tile, const std::string& path,
                                     std::span<const int> site_orbits = {},
-                                    const CellMaterials& materials = {});
+                                    const plane::CellMaterials& materials = {});
 
 }  // namespace pcvt

@@ -10,10 +10,10 @@ constexpr double kMostPeriods = 1 << 30;
 
 }  // namespace
 
-void find_point_offsets(const std::string& name, TetrahedralMesh& mesh) {
+void find_point_offsets(const std::string& name, space::TetrahedralMesh& mesh) {
     const std::vector<int> first = first_points(mesh);
     for (int v = 0; v < mesh.n_points(); ++v) {
-        const Vec3 u =
+        const space::Vec3 u =
             mesh.lattice.to_lattice(mesh.points[v] - mesh.points[first[v]]).array().round();
         if (!(u.lpNorm<Eigen::Infinity>() < kMostPeriods)) {
             throw BadFile(name + ": node " + std::to_string(v + 1) +
@@ -24,7 +24,7 @@ void find_point_offsets(const std::string& name, TetrahedralMesh& mesh) {
     }
 }
 
-std::vector<int> first_points(const TetrahedralMesh& mesh) {
+std::vector<int> first_points(const space::TetrahedralMesh& mesh) {
     std::vector<int> of_site(mesh.points.size(), -1);
     std::vector<int> first;
     for (int v = 0; v < mesh.n_points(); ++v) {

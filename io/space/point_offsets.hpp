@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "mesher/tetrahedra/tetrahedral_mesh.hpp"
+#include "mesher/space/mesh/tetrahedral_mesh.hpp"
 
 namespace pcvt {
 
@@ -15,9 +15,9 @@ namespace pcvt {
 ///
 /// @pre each point_site is from 0 to n_points() - 1.
 /// @throws BadFile  naming a point that lies too many periods away.
-void find_point_offsets(const std::string& name, TetrahedralMesh& mesh);
+void find_point_offsets(const std::string& name, space::TetrahedralMesh& mesh);
 
 /// Returns for each point the first one with the same site.
-std::vector<int> first_points(const TetrahedralMesh& mesh);
+std::vector<int> first_points(const space::TetrahedralMesh& mesh);
 
 }  // namespace pcvt

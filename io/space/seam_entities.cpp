@@ -12,7 +12,7 @@ using Edge = std::array<int, 2>;
 
 /// An edge of the boundary, as one of the images of an orbit.
 struct EdgeImage {
-    Offset3 offset;
+    space::Offset offset;
     /// In the order of their sites, which is that of all images.
     Edge edge;
     /// The surface of each triangle at the edge, rising.
@@ -23,7 +23,7 @@ struct EdgeImage {
 
 /// The translations from the first image of an edge to each image, and the surfaces that meet
 /// there: edges with equal signatures are on the same curves.
-using Signature = std::vector<std::pair<Offset3, std::vector<int>>>;
+using Signature = std::vector<std::pair<space::Offset, std::vector<int>>>;
 
 /// What meets at a point of the boundary.
 struct PointUse {
@@ -41,9 +41,9 @@ std::vector<int> without_repeats(std::vector<int> numbers) {
 
 class SeamDivision {
    public:
-    explicit SeamDivision(const TetrahedralMesh& mesh) : mesh_(mesh) {}
+    explicit SeamDivision(const space::TetrahedralMesh& mesh) : mesh_(mesh) {}
 
-    SeamEntities divide(const std::vector<TrianglePair>& pairs) {
+    SeamEntities divide(const std::vector<space::TrianglePair>& pairs) {
         make_surfaces(pairs);
         make_curves();
         place_points();
@@ -51,14 +51,14 @@ class SeamDivision {
     }
 
    private:
-    void make_surfaces(const std::vector<TrianglePair>& pairs) {
-        std::map<Offset3, std::vector<const TrianglePair*>> by_offset;
-        for (const TrianglePair& pair : pairs) by_offset[pair.offset].push_back(&pair);
+    void make_surfaces(const std::vector<space::TrianglePair>& pairs) {
+        std::map<space::Offset, std::vector<const space::TrianglePair*>> by_offset;
+        for (const space::TrianglePair& pair : pairs) by_offset[pair.offset].push_back(&pair);
         for (const auto& [offset, members] : by_offset) {
             const int first = static_cast<int>(entities_.surfaces.size());
             SeamSurface here{.offset = offset, .partner = first + 1};
             SeamSurface there{.offset = -offset, .partner = first};
-            for (const TrianglePair* const pair : members) {
+            for (const space::TrianglePair* const pair : members) {
                 const auto& [u, v, w] = pair->second;
                 here.triangles.push_back(pair->first);
                 there.triangles.push_back({u, w, v});
@@ -69,7 +69,7 @@ class SeamDivision {
     }
 
     /// The edges of the boundary by their orbits.
-    std::map<std::array<Corner3, 2>, std::vector<EdgeImage>> edge_orbits() {
+    std::map<std::array<space::Corner, 2>, std::vector<EdgeImage>> edge_orbits() {
         std::map<Edge, std::vector<int>> uses;
         for (int k = 0; k < static_cast<int>(entities_.surfaces.size()); ++k) {
             for (const auto& triangle : entities_.surfaces[k].triangles) {
@@ -83,12 +83,12 @@ class SeamDivision {
                 }
             }
         }
-        std::map<std::array<Corner3, 2>, std::vector<EdgeImage>> orbits;
+        std::map<std::array<space::Corner, 2>, std::vector<EdgeImage>> orbits;
         for (auto& [edge, surfaces] : uses) {
             const auto [site, offset] = mesh_.corner(edge[0]);
-            const Corner3 end = mesh_.corner(edge[1]);
-            orbits[{Corner3{site, {}}, Corner3{end.site, end.offset - offset}}].push_back(
-                {offset, edge, std::move(surfaces)});
+            const space::Corner end = mesh_.corner(edge[1]);
+            orbits[{space::Corner{site, {}}, space::Corner{end.site, end.offset - offset}}]
+                .push_back({offset, edge, std::move(surfaces)});
         }
         return orbits;
     }
@@ -178,7 +178,7 @@ class SeamDivision {
         if (std::find(ends.begin(), ends.end(), v) == ends.end()) ends.push_back(v);
     }
 
-    const TetrahedralMesh& mesh_;
+    const space::TetrahedralMesh& mesh_;
     SeamEntities entities_;
     /// Of the points of the boundary.
     std::map<int, PointUse> uses_of_;
@@ -186,7 +186,8 @@ class SeamDivision {
 
 }  // namespace
 
-SeamEntities seam_entities(const TetrahedralMesh& mesh, const TetrahedralProof& proof) {
+SeamEntities seam_entities(const space::TetrahedralMesh& mesh,
+                           const space::TetrahedralProof& proof) {
     return SeamDivision(mesh).divide(proof.pairs);
 }
 

@@ -3,14 +3,14 @@
 #include <array>
 #include <vector>
 
-#include "mesher/tetrahedra/tetrahedral_proof.hpp"
+#include "mesher/space/proof/tetrahedral_proof.hpp"
 
 namespace pcvt {
 
 /// The triangles of the boundary that one translation takes to their partners.
 struct SeamSurface {
     /// The translation to the partner, and the index of that surface.
-    Offset3 offset;
+    space::Offset offset;
     int partner;
     /// Counter-clockwise seen from outside; triangle k of the partner is the image of triangle k.
     std::vector<std::array<int, 3>> triangles = {};
@@ -22,7 +22,7 @@ struct SeamSurface {
 struct SeamCurve {
     /// The curve of which this one is an image, or the curve itself; the translation from there.
     int master;
-    Offset3 offset;
+    space::Offset offset;
     /// Indices of the surfaces that meet here, rising.
     std::vector<int> surfaces;
     /// Edge k is the image of edge k of the master.
@@ -38,7 +38,7 @@ struct SeamPoint {
     /// The index of the entity of which this one is an image, or of the point itself; the
     /// translation from there.
     int master;
-    Offset3 offset;
+    space::Offset offset;
 };
 
 /// The boundary of a tile of tetrahedra, divided as Gmsh and solvers need it. Laws, tested by
@@ -62,6 +62,7 @@ struct SeamEntities {
 ///     for (const SeamSurface& surface : entities.surfaces) write(surface.triangles);
 ///
 /// Cost: s log s for s triangles of the boundary, and O(points).
-SeamEntities seam_entities(const TetrahedralMesh& mesh, const TetrahedralProof& proof);
+SeamEntities seam_entities(const space::TetrahedralMesh& mesh,
+                           const space::TetrahedralProof& proof);
 
 }  // namespace pcvt

@@ -12,8 +12,8 @@
 #include "io/openfoam/foam_scanner.hpp"
 #include "io/space/space_foam_writer.hpp"
 #include "io/tiles/tile_file.hpp"
-#include "mesher/polyhedra/polyhedral_assembly.hpp"
-#include "mesher/polyhedra/short_edges.hpp"
+#include "mesher/space/mesh/polyhedral_assembly.hpp"
+#include "mesher/space/mesh/short_edges.hpp"
 
 namespace pcvt {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view kBoundary = "constant/polyMesh/boundary";
 
 /// Returns (I, J, K) of the name seam_I_J_K; `nullopt` for any other name.
-std::optional<Offset3> named_offset(std::string_view name) {
+std::optional<space::Offset> named_offset(std::string_view name) {
     constexpr std::string_view kHead = "seam";
     if (!name.starts_with(kHead)) return std::nullopt;
     name.remove_prefix(kHead.size());
@@ -40,13 +40,13 @@ std::optional<Offset3> named_offset(std::string_view name) {
         return -kLargestOffset <= number && number <= kLargestOffset;
     });
     if (!name.empty() || numbers.size() != 3 || !fits) return std::nullopt;
-    return Offset3{numbers[0], numbers[1], numbers[2]};
+    return space::Offset{numbers[0], numbers[1], numbers[2]};
 }
 
 /// Reads a patch and the name of its partner.
-std::pair<PolyhedralPatch, std::string> read_patch(FoamScanner& scanner) {
+std::pair<space::PolyhedralPatch, std::string> read_patch(FoamScanner& scanner) {
     const std::string name(scanner.next());
-    PolyhedralPatch patch{.first_face = -1, .n_faces = -1, .partner = -1, .offset = {}};
+    space::PolyhedralPatch patch{.first_face = -1, .n_faces = -1, .partner = -1, .offset = {}};
     std::string type;
     std::string partner;
     scanner.expect("{");
@@ -58,7 +58,7 @@ std::pair<PolyhedralPatch, std::string> read_patch(FoamScanner& scanner) {
         if (key == "startFace") patch.first_face = scanner.integer();
         scanner.skip_entry();
     }
-    const std::optional<Offset3> offset = named_offset(name);
+    const std::optional<space::Offset> offset = named_offset(name);
     if (type != "cyclic" || !offset) {
         scanner.throw_bad_file("patch " + in_quotes(name) +
                                " is not one side of a seam; name it seam_I_J_K, with the type "
@@ -68,7 +68,7 @@ std::pair<PolyhedralPatch, std::string> read_patch(FoamScanner& scanner) {
     return {patch, partner};
 }
 
-void read_patches(const EncodedFile& file, PolyhedralMesh& mesh) {
+void read_patches(const EncodedFile& file, space::PolyhedralMesh& mesh) {
     FoamScanner scanner(file.path, file.bytes);
     std::vector<std::string> partners;
     std::map<std::string, int> index;
@@ -84,7 +84,7 @@ void read_patches(const EncodedFile& file, PolyhedralMesh& mesh) {
     scanner.expect(")");
     int next = mesh.n_inner_faces();
     for (std::size_t p = 0; p < partners.size(); ++p) {
-        PolyhedralPatch& patch = mesh.patches[p];
+        space::PolyhedralPatch& patch = mesh.patches[p];
         const auto found = index.find(partners[p]);
         if (found == index.end()) {
             scanner.throw_bad_file("there is no patch " + in_quotes(partners[p]) +
@@ -121,7 +121,7 @@ std::vector<double> comment_numbers(const EncodedFile& file, std::string_view wo
     return numbers;
 }
 
-SpaceLattice read_lattice(const EncodedFile& boundary) {
+space::Lattice read_lattice(const EncodedFile& boundary) {
     const std::vector<double> numbers = comment_numbers(boundary, "lattice", 9);
     if (numbers.size() != 9) {
         throw BadFile(boundary.path + ": names not one lattice; write the case again with pcvt");
@@ -138,14 +138,14 @@ SpaceLattice read_lattice(const EncodedFile& boundary) {
 double read_foam_short_edges(const EncodedFile& boundary) {
     const std::vector<double> numbers = comment_numbers(boundary, "short_edges", 1);
     if (numbers.empty()) return 0;
-    if (numbers.size() > 1 || !(numbers[0] >= 0 && numbers[0] <= kLongestSpaceShortEdge)) {
+    if (numbers.size() > 1 || !(numbers[0] >= 0 && numbers[0] <= space::kLongestShortEdge)) {
         throw BadFile(boundary.path + ": " + kShortEdgesRange);
     }
     return numbers[0];
 }
 
 /// Refuses numbers of points and cells that do not exist.
-void require_numbers(const std::vector<EncodedFile>& files, PolyhedralMesh& mesh) {
+void require_numbers(const std::vector<EncodedFile>& files, space::PolyhedralMesh& mesh) {
     const auto refuse = [&files](const char* name, const char* complaint) {
         throw BadFile(foam_mesh_file(files, name).path + ": " + complaint +
                       "; write the case again with pcvt");
@@ -184,7 +184,7 @@ SpaceTile decode_space_foam(const std::vector<EncodedFile>& files, double tolera
     }
     const EncodedFile& boundary = foam_mesh_file(files, "boundary");
     SpaceTile tile{.mesh = {.lattice = read_lattice(boundary)}};
-    PolyhedralMesh& mesh = tile.mesh;
+    space::PolyhedralMesh& mesh = tile.mesh;
     mesh.short_edges = read_foam_short_edges(boundary);
     mesh.points = foam_points(foam_mesh_file(files, "points"));
     mesh.faces = foam_faces(foam_mesh_file(files, "faces"));
@@ -192,12 +192,12 @@ SpaceTile decode_space_foam(const std::vector<EncodedFile>& files, double tolera
     mesh.neighbour = foam_labels(foam_mesh_file(files, "neighbour"));
     require_numbers(files, mesh);
     read_patches(boundary, mesh);
-    PolyhedralMesh joined = assembled_mesh(mesh.lattice, polyhedron_list(mesh), tolerance);
+    space::PolyhedralMesh joined = assembled_mesh(mesh.lattice, polyhedron_list(mesh), tolerance);
     mesh.point_orbit = std::move(joined.point_orbit);
     mesh.point_offset = std::move(joined.point_offset);
     const std::vector<double> sites = comment_numbers(boundary, "site", 3);
-    tile.sites =
-        Eigen::Map<const Points3>(sites.data(), 3, static_cast<Eigen::Index>(sites.size() / 3));
+    tile.sites = Eigen::Map<const space::Points>(sites.data(), 3,
+                                                 static_cast<Eigen::Index>(sites.size() / 3));
     return tile;
 }
 

@@ -7,8 +7,8 @@
 #include "io/openfoam/foam_case.hpp"
 #include "io/openfoam/foam_text.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/polyhedra/beltrami_flow.hpp"
-#include "mesher/polyhedra/cell_faces.hpp"
+#include "mesher/space/mesh/beltrami_flow.hpp"
+#include "mesher/space/mesh/cell_faces.hpp"
 
 namespace pcvt {
 namespace {
@@ -18,24 +18,24 @@ const char* const kMarker = "";
 
 std::string count_line(std::size_t n) { return std::to_string(n) + "\n(\n"; }
 
-void append_numbers(std::string& text, const Vec3& vector) {
+void append_numbers(std::string& text, const space::Vec3& vector) {
     for (const double x : vector) {
         text += ' ';
         append_number(text, x);
     }
 }
 
-std::string encode_points(const PolyhedralMesh& mesh) {
+std::string encode_points(const space::PolyhedralMesh& mesh) {
     std::string text =
         foam_header("vectorField", kMeshFolder, "points") + count_line(mesh.points.size());
-    for (const Vec3& p : mesh.points) {
+    for (const space::Vec3& p : mesh.points) {
         append_foam_vector(text, {p.x(), p.y(), p.z()});
         text += '\n';
     }
     return text + ")\n";
 }
 
-std::string encode_faces(const PolyhedralMesh& mesh) {
+std::string encode_faces(const space::PolyhedralMesh& mesh) {
     std::string text =
         foam_header("faceList", kMeshFolder, "faces") + count_line(mesh.owner.size());
     for (int f = 0; f < mesh.n_faces(); ++f) {
@@ -52,7 +52,7 @@ std::string encode_faces(const PolyhedralMesh& mesh) {
     return text + ")\n";
 }
 
-std::string encode_labels(const PolyhedralMesh& mesh, const std::string& name,
+std::string encode_labels(const space::PolyhedralMesh& mesh, const std::string& name,
                           const std::vector<int>& cells) {
     const std::string note = "nPoints:" + std::to_string(mesh.n_points()) +
                              " nCells:" + std::to_string(mesh.n_cells) +
@@ -66,8 +66,9 @@ std::string encode_labels(const PolyhedralMesh& mesh, const std::string& name,
     return text + ")\n";
 }
 
-void append_patch(std::string& text, const PolyhedralMesh& mesh, const PolyhedralPatch& patch) {
-    const Vec3 separation = mesh.lattice.translation(patch.offset);
+void append_patch(std::string& text, const space::PolyhedralMesh& mesh,
+                  const space::PolyhedralPatch& patch) {
+    const space::Vec3 separation = mesh.lattice.translation(patch.offset);
     text += "    " + seam_name(patch.offset) +
             "\n    {\n        type            cyclic;\n        nFaces          " +
             std::to_string(patch.n_faces) + ";\n        startFace       " +
@@ -80,12 +81,12 @@ void append_patch(std::string& text, const PolyhedralMesh& mesh, const Polyhedra
 }
 
 std::string encode_boundary(const SpaceTile& tile) {
-    const PolyhedralMesh& mesh = tile.mesh;
+    const space::PolyhedralMesh& mesh = tile.mesh;
     std::string text =
         foam_header("polyBoundaryMesh", kMeshFolder, "boundary") +
         "// A periodic tile, written by pcvt: seam_I_J_K is answered at + I a + J b + K c\n" +
         kSpaceKind + "// pcvt lattice";
-    for (const Vec3& period : mesh.lattice.periods()) append_numbers(text, period);
+    for (const space::Vec3& period : mesh.lattice.periods()) append_numbers(text, period);
     text += '\n';
     if (mesh.short_edges > 0) {
         text += "// pcvt short_edges ";
@@ -98,35 +99,35 @@ std::string encode_boundary(const SpaceTile& tile) {
         text += '\n';
     }
     text += count_line(mesh.patches.size());
-    for (const PolyhedralPatch& patch : mesh.patches) append_patch(text, mesh, patch);
+    for (const space::PolyhedralPatch& patch : mesh.patches) append_patch(text, mesh, patch);
     return text + ")\n";
 }
 
-std::string boundary_field(const PolyhedralMesh& mesh) {
+std::string boundary_field(const space::PolyhedralMesh& mesh) {
     std::string text = "boundaryField\n{\n";
-    for (const PolyhedralPatch& patch : mesh.patches) {
+    for (const space::PolyhedralPatch& patch : mesh.patches) {
         text += "    " + seam_name(patch.offset) + " { type cyclic; }\n";
     }
     return text + "}\n";
 }
 
-std::string encode_velocity(const BeltramiFlow& flow, const PolyhedralMesh& mesh,
-                            const std::vector<CellBody>& bodies) {
+std::string encode_velocity(const space::BeltramiFlow& flow, const space::PolyhedralMesh& mesh,
+                            const std::vector<space::CellBody>& bodies) {
     std::string text = foam_field_head("vector", "U", "[0 1 -1 0 0 0 0]", bodies.size());
-    for (const CellBody& body : bodies) {
-        const Vec3 u = flow.velocity(body.centroid);
+    for (const space::CellBody& body : bodies) {
+        const space::Vec3 u = flow.velocity(body.centroid);
         append_foam_vector(text, {u.x(), u.y(), u.z()});
         text += '\n';
     }
     return text + ");\n" + boundary_field(mesh);
 }
 
-std::string encode_pressure(const PolyhedralMesh& mesh) {
+std::string encode_pressure(const space::PolyhedralMesh& mesh) {
     return foam_header("volScalarField", "0", "p") +
            "dimensions [0 2 -2 0 0 0 0];\ninternalField uniform 0;\n" + boundary_field(mesh);
 }
 
-std::string encode_transport(const BeltramiFlow& flow) {
+std::string encode_transport(const space::BeltramiFlow& flow) {
     return foam_header("dictionary", "constant", "transportProperties") +
            foam_fill(
                "// U falls as exp(-$RATE nu t): to 1/e at the end of the run.\n"
@@ -151,9 +152,9 @@ std::vector<std::string> space_foam_paths(const std::string& folder) {
 }
 
 std::vector<EncodedFile> encode_space_foam(const SpaceTile& tile, const std::string& folder) {
-    const PolyhedralMesh& mesh = tile.mesh;
-    const BeltramiFlow flow(mesh.lattice);
-    const std::vector<CellBody> bodies = cell_bodies(mesh);
+    const space::PolyhedralMesh& mesh = tile.mesh;
+    const space::BeltramiFlow flow(mesh.lattice);
+    const std::vector<space::CellBody> bodies = cell_bodies(mesh);
     // The contents have the order of space_foam_paths().
     std::vector<std::string> contents = {
         encode_points(mesh),

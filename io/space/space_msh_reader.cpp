@@ -21,7 +21,7 @@ class TetrahedraParser {
     TetrahedraParser(const std::string& name, std::string_view text)
         : name_(name), rows_(name, text) {}
 
-    TetrahedralMesh parse() {
+    space::TetrahedralMesh parse() {
         while (rows_.next_filled()) parse_section();
         if (!mesh_) throw BadFile(name_ + ": states no lattice; write the file again with pcvt");
         if (mesh_->points.empty() || mesh_->tetrahedra.empty()) {
@@ -57,20 +57,20 @@ class TetrahedraParser {
         if (words.size() < 2 || words[0] != "pcvt" || words[1] != "lattice") return;
         constexpr std::size_t kWords = 11;
         if (words.size() != kWords) rows_.throw_bad_file("the lattice has nine numbers");
-        std::array<Vec3, 3> periods;
+        std::array<space::Vec3, 3> periods;
         for (std::size_t k = 0; k < 3; ++k) {
             for (std::size_t i = 0; i < 3; ++i) {
                 periods[k][Eigen::Index(i)] = rows_.number(2 + 3 * k + i);
             }
         }
         try {
-            mesh_ = TetrahedralMesh{.lattice = {periods[0], periods[1], periods[2]}};
+            mesh_ = space::TetrahedralMesh{.lattice = {periods[0], periods[1], periods[2]}};
         } catch (const InvalidInput& fault) {
             rows_.throw_bad_file(fault.what());
         }
     }
 
-    TetrahedralMesh& mesh() {
+    space::TetrahedralMesh& mesh() {
         if (!mesh_) rows_.throw_bad_file("the lattice comes before this; write the file again");
         return *mesh_;
     }
@@ -101,15 +101,15 @@ class TetrahedraParser {
             for (const int v : nodes) {
                 rows_.next_row(3);
                 const auto place = static_cast<std::size_t>(v);
-                positions_.emplace_back(place,
-                                        Vec3(rows_.number(0), rows_.number(1), rows_.number(2)));
+                positions_.emplace_back(
+                    place, space::Vec3(rows_.number(0), rows_.number(1), rows_.number(2)));
             }
         }
         if (positions_.size() != static_cast<std::size_t>(n)) {
             rows_.throw_bad_file("the blocks have another number of nodes than the section states");
         }
-        std::vector<Vec3>& points = mesh().points;
-        points.assign(positions_.size(), Vec3::Constant(kNowhere));
+        std::vector<space::Vec3>& points = mesh().points;
+        points.assign(positions_.size(), space::Vec3::Constant(kNowhere));
         for (const auto& [v, position] : positions_) {
             if (points[v].x() != kNowhere) {
                 rows_.throw_bad_file("node " + std::to_string(v + 1) + " occurs twice");
@@ -162,8 +162,8 @@ class TetrahedraParser {
 
     std::string name_;
     MshRows rows_;
-    std::optional<TetrahedralMesh> mesh_;
-    std::vector<std::pair<std::size_t, Vec3>> positions_;
+    std::optional<space::TetrahedralMesh> mesh_;
+    std::vector<std::pair<std::size_t, space::Vec3>> positions_;
 };
 
 }  // namespace
@@ -175,12 +175,12 @@ bool holds_tetrahedra(const EncodedFile& msh) {
     return next == '\n' || next == '\r';
 }
 
-TetrahedralMesh decode_space_msh(const EncodedFile& msh) {
+space::TetrahedralMesh decode_space_msh(const EncodedFile& msh) {
     refuse_binary(msh.path, msh.bytes, "save it as ASCII, MSH 4.1");
     return TetrahedraParser(msh.path, msh.bytes).parse();
 }
 
-void compare_space_msh(const EncodedFile& msh, const TetrahedralMesh& mesh) {
+void compare_space_msh(const EncodedFile& msh, const space::TetrahedralMesh& mesh) {
     const std::vector<EncodedFile> expected = encode_space_msh(mesh, msh.path);
     compare_fields(*msh_fields(msh.path, msh.bytes), *msh_fields(msh.path, expected.front().bytes));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/tetrahedra/tetrahedral_mesh.hpp"
+#include "mesher/space/mesh/tetrahedral_mesh.hpp"
 
 namespace pcvt {
 
@@ -16,11 +16,11 @@ bool holds_tetrahedra(const EncodedFile& msh);
 ///     const TetrahedralProof proof = prove_tetrahedra(mesh);
 ///
 /// @throws BadFile with the line.
-TetrahedralMesh decode_space_msh(const EncodedFile& msh);
+space::TetrahedralMesh decode_space_msh(const EncodedFile& msh);
 
 /// Compares the entities, groups, triangles, curves and links of a file with those that
 /// encode_space_msh() gives for its tetrahedra.
 /// @throws BadFile  naming the file, the line and both words.
-void compare_space_msh(const EncodedFile& msh, const TetrahedralMesh& mesh);
+void compare_space_msh(const EncodedFile& msh, const space::TetrahedralMesh& mesh);
 
 }  // namespace pcvt

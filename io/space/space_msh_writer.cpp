@@ -6,8 +6,8 @@
 
 #include "io/bytes/msh_text.hpp"
 #include "io/space/seam_entities.hpp"
-#include "mesher/lattice/set_names.hpp"
-#include "mesher/polyhedra/polyhedral_mesh.hpp"
+#include "mesher/plane/geometry/set_names.hpp"
+#include "mesher/space/mesh/polyhedral_mesh.hpp"
 
 namespace pcvt {
 namespace {
@@ -27,7 +27,7 @@ int count(const auto& list) { return static_cast<int>(list.size()); }
 /// has its tag, and that of the volume the next one.
 class MshText {
    public:
-    MshText(const TetrahedralMesh& mesh, const SeamEntities& entities)
+    MshText(const space::TetrahedralMesh& mesh, const SeamEntities& entities)
         : mesh_(mesh), entities_(entities) {}
 
     std::string encode() {
@@ -45,26 +45,26 @@ class MshText {
         text_ = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\n";
         text_ += "A periodic tile of tetrahedra, written by pcvt\n";
         text_ += std::string(kTetrahedraComment) + "\npcvt lattice ";
-        for (const Vec3& period : mesh_.lattice.periods()) append_vector(period);
+        for (const space::Vec3& period : mesh_.lattice.periods()) append_vector(period);
         text_.back() = '\n';
         text_ += "$EndComments\n$PhysicalNames\n";
         append_msh_line(text_, {count(entities_.surfaces) + 1});
         for (int k = 0; k < count(entities_.surfaces); ++k) {
             append_msh_name(text_, kSurfaces, k + 1, seam_name(entities_.surfaces[k].offset));
         }
-        append_msh_name(text_, kVolumes, domain_group(), std::string(kDomainSet));
+        append_msh_name(text_, kVolumes, domain_group(), std::string(plane::kDomainSet));
         text_ += "$EndPhysicalNames\n";
     }
 
     int domain_group() const { return count(entities_.surfaces) + 1; }
 
-    void append_vector(const Vec3& v) { append_msh_words(text_, {v.x(), v.y(), v.z()}); }
+    void append_vector(const space::Vec3& v) { append_msh_words(text_, {v.x(), v.y(), v.z()}); }
 
     /// Appends the smallest box round the points of elements.
     template <std::size_t n>
     void append_bounds(const std::vector<std::array<int, n>>& elements) {
-        Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-        Vec3 high = -low;
+        space::Vec3 low = space::Vec3::Constant(std::numeric_limits<double>::infinity());
+        space::Vec3 high = -low;
         for (const std::array<int, n>& element : elements) {
             for (const int v : element) {
                 low = low.cwiseMin(mesh_.points[v]);
@@ -177,7 +177,7 @@ class MshText {
     /// Appends a link, with the pairs of points of the elements of slave and master.
     /// @param turned  whether the elements are traversed in opposite orders from their first point.
     template <std::size_t n>
-    void append_link(int dimension, int slave, int master, Offset3 offset,
+    void append_link(int dimension, int slave, int master, space::Offset offset,
                      const std::vector<std::array<int, n>>& slaves,
                      const std::vector<std::array<int, n>>& masters, bool turned) {
         std::map<int, int> master_of;
@@ -186,7 +186,7 @@ class MshText {
                 master_of[slaves[e][k]] = masters[e][turned ? (n - k) % n : k];
             }
         }
-        const Vec3 t = mesh_.lattice.translation(offset);
+        const space::Vec3 t = mesh_.lattice.translation(offset);
         append_msh_link(text_, dimension, slave + 1, master + 1, {t.x(), t.y(), t.z()},
                         master_of.size());
         for (const auto& [of, v] : master_of) append_msh_line(text_, {of + 1, v + 1});
@@ -223,7 +223,7 @@ class MshText {
         text_ += "$EndPeriodic\n";
     }
 
-    const TetrahedralMesh& mesh_;
+    const space::TetrahedralMesh& mesh_;
     const SeamEntities& entities_;
     std::string text_;
     /// The site of each node, in the order of $Nodes.
@@ -232,7 +232,8 @@ class MshText {
 
 }  // namespace
 
-std::vector<EncodedFile> encode_space_msh(const TetrahedralMesh& mesh, const std::string& path) {
+std::vector<EncodedFile> encode_space_msh(const space::TetrahedralMesh& mesh,
+                                          const std::string& path) {
     const SeamEntities entities = seam_entities(mesh, prove_tetrahedra(mesh));
     return only_file(path, MshText(mesh, entities).encode());
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/tetrahedra/tetrahedral_proof.hpp"
+#include "mesher/space/proof/tetrahedral_proof.hpp"
 
 namespace pcvt {
 
@@ -31,6 +31,7 @@ inline constexpr std::string_view kTetrahedraComment = "pcvt kind tetrahedra";
 ///     }
 ///
 /// @throws NotATile as prove_tetrahedra().
-std::vector<EncodedFile> encode_space_msh(const TetrahedralMesh& mesh, const std::string& path);
+std::vector<EncodedFile> encode_space_msh(const space::TetrahedralMesh& mesh,
+                                          const std::string& path);
 
 }  // namespace pcvt

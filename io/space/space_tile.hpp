@@ -1,15 +1,15 @@
 #pragma once
 
-#include "mesher/polyhedra/polyhedral_mesh.hpp"
+#include "mesher/space/mesh/polyhedral_mesh.hpp"
 
 namespace pcvt {
 
 /// A tile of polyhedra and its sites, as files hold them.
 struct SpaceTile {
-    PolyhedralMesh mesh;
+    space::PolyhedralMesh mesh;
     /// The image of each site that lies in its cell: 3 x n, length units; no column if a file
     /// states none.
-    Points3 sites = Points3(3, 0);
+    space::Points sites = space::Points(3, 0);
 };
 
 /// The complaint about a file in which PolyhedralMesh::short_edges is out of its range.

@@ -12,8 +12,8 @@
 #include "io/solvers/vtu_arrays.hpp"
 #include "io/space/space_vtu_parts.hpp"
 #include "io/space/space_vtu_writer.hpp"
-#include "mesher/polyhedra/cell_faces.hpp"
-#include "mesher/proof/validate.hpp"
+#include "mesher/plane/proof/validate.hpp"
+#include "mesher/space/mesh/cell_faces.hpp"
 
 namespace pcvt {
 namespace {
@@ -71,7 +71,7 @@ class VtuCells {
     SpaceTile read(double tolerance) const {
         if (n_ == 0) throw BadFile(name_ + ": holds no cell; give a grid of polyhedra");
         require_types();
-        const PolyhedronList cells = read_cells();
+        const space::PolyhedronList cells = read_cells();
         compare_connectivity(cells);
         SpaceTile tile{.mesh = assembled(cells, tolerance)};
         tile.mesh.short_edges = read_short_edges(name_, arrays_);
@@ -79,15 +79,15 @@ class VtuCells {
         compare_cells(tile.mesh, cells);
         if (arrays_.find("CellData/Site") != nullptr) {
             const VtuArray& sites = arrays_.get("CellData/Site", n_, 3, false);
-            tile.sites = Eigen::Map<const Points3>(sites.values.data(), 3, n_);
+            tile.sites = Eigen::Map<const space::Points>(sites.values.data(), 3, n_);
         }
         return tile;
     }
 
    private:
     /// A file whose sides agree less closely than within the tolerance may state how far.
-    PolyhedralMesh assembled(const PolyhedronList& cells, double tolerance) const {
-        const SpaceLattice lattice = read_space_lattice(name_, arrays_);
+    space::PolyhedralMesh assembled(const space::PolyhedronList& cells, double tolerance) const {
+        const space::Lattice lattice = read_space_lattice(name_, arrays_);
         try {
             return assembled_mesh(lattice, cells, tolerance);
         } catch (const NotATile& fault) {
@@ -111,8 +111,8 @@ class VtuCells {
         }
     }
 
-    PolyhedronList read_cells() const {
-        PolyhedronList cells;
+    space::PolyhedronList read_cells() const {
+        space::PolyhedronList cells;
         cells.points = read_space_points(name_, arrays_);
         const VtuArray& faces = arrays_.get("Cells/faces", -1, 1, true);
         const VtuArray& ends = arrays_.get("Cells/faceoffsets", n_, 1, true);
@@ -133,7 +133,7 @@ class VtuCells {
     }
 
     /// The points of each cell, in any order, are those of its faces.
-    void compare_connectivity(const PolyhedronList& cells) const {
+    void compare_connectivity(const space::PolyhedronList& cells) const {
         const VtuArray& points = arrays_.get("Cells/connectivity", -1, 1, true);
         const VtuArray& ends = arrays_.get("Cells/offsets", n_, 1, true);
         ArrayWalk walk(name_, points);
@@ -152,14 +152,15 @@ class VtuCells {
         if (!walk.ended()) fail(points.lines[walk.at()], "a number follows the last cell");
     }
 
-    void compare_cells(const PolyhedralMesh& mesh, const PolyhedronList& cells) const {
+    void compare_cells(const space::PolyhedralMesh& mesh,
+                       const space::PolyhedronList& cells) const {
         const VtuArray* const ids = arrays_.find("CellData/CellId");
         const VtuArray* const faces = arrays_.find("CellData/Faces");
         const VtuArray* const volumes = arrays_.find("CellData/Volume");
         if (ids != nullptr) arrays_.get("CellData/CellId", n_, 1, true);
         if (faces != nullptr) arrays_.get("CellData/Faces", n_, 1, true);
         if (volumes != nullptr) arrays_.get("CellData/Volume", n_, 1, false);
-        const std::vector<CellBody> bodies = cell_bodies(mesh);
+        const std::vector<space::CellBody> bodies = cell_bodies(mesh);
         for (int s = 0; s < n_; ++s) {
             const auto k = static_cast<std::size_t>(s);
             const std::string cell = "cell " + std::to_string(s) + " ";

@@ -7,12 +7,13 @@
 #include "io/bytes/vtk_text.hpp"
 #include "io/space/space_vtu_parts.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/polyhedra/cell_faces.hpp"
+#include "mesher/space/mesh/cell_faces.hpp"
 
 namespace pcvt {
 namespace {
 
-void append_cell_data(std::string& text, const SpaceTile& tile, const PolyhedronList& cells) {
+void append_cell_data(std::string& text, const SpaceTile& tile,
+                      const space::PolyhedronList& cells) {
     std::vector<int> ids(static_cast<std::size_t>(cells.n_cells()));
     std::iota(ids.begin(), ids.end(), 0);
     std::vector<int> n_faces;
@@ -21,7 +22,7 @@ void append_cell_data(std::string& text, const SpaceTile& tile, const Polyhedron
     append_vtk_integers(text, "Int32", "CellId", ids);
     append_vtk_integers(text, "Int32", "Faces", n_faces);
     open_vtk_array(text, "Float64", "Volume");
-    for (const CellBody& body : cell_bodies(tile.mesh)) {
+    for (const space::CellBody& body : cell_bodies(tile.mesh)) {
         append_vtk_word(text, body.volume);
         end_vtk_line(text);
     }
@@ -36,7 +37,7 @@ void append_cell_data(std::string& text, const SpaceTile& tile, const Polyhedron
 
 /// Appends each cell as the number of its faces, and each face as the number of its points and
 /// these. Returns the end of each cell in the array.
-std::vector<int> append_faces(std::string& text, const PolyhedronList& cells) {
+std::vector<int> append_faces(std::string& text, const space::PolyhedronList& cells) {
     std::vector<int> ends;
     int end = 0;
     open_vtk_array(text, "Int64", "faces");
@@ -56,7 +57,7 @@ std::vector<int> append_faces(std::string& text, const PolyhedronList& cells) {
     return ends;
 }
 
-void append_cells(std::string& text, const PolyhedronList& cells) {
+void append_cells(std::string& text, const space::PolyhedronList& cells) {
     std::vector<int> ends;
     int end = 0;
     text += "<Cells>\n";
@@ -79,7 +80,7 @@ void append_cells(std::string& text, const PolyhedronList& cells) {
 
 }  // namespace
 
-std::vector<int> cell_points(const PolyhedronList& cells, int cell) {
+std::vector<int> cell_points(const space::PolyhedronList& cells, int cell) {
     const auto begin = cells.faces.corners.begin();
     std::vector<int> points(begin + cells.faces.begin[cells.cell_begin[cell]],
                             begin + cells.faces.begin[cells.cell_begin[cell + 1]]);
@@ -89,7 +90,7 @@ std::vector<int> cell_points(const PolyhedronList& cells, int cell) {
 }
 
 std::vector<EncodedFile> encode_space_vtu(const SpaceTile& tile, const std::string& path) {
-    const PolyhedronList cells = polyhedron_list(tile.mesh);
+    const space::PolyhedronList cells = polyhedron_list(tile.mesh);
     std::string text;
     open_space_vtu(text, kSpaceVtuMark, tile.mesh.lattice, tile.mesh.short_edges,
                    tile.mesh.n_points(), cells.n_cells());

@@ -6,7 +6,7 @@
 
 #include "io/space/space_tile.hpp"
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/polyhedra/polyhedral_assembly.hpp"
+#include "mesher/space/mesh/polyhedral_assembly.hpp"
 
 namespace pcvt {
 
@@ -32,6 +32,6 @@ inline constexpr std::string_view kSpaceVtuMark =
 std::vector<EncodedFile> encode_space_vtu(const SpaceTile& tile, const std::string& path);
 
 /// Returns the points of a cell, by rising number.
-std::vector<int> cell_points(const PolyhedronList& cells, int cell);
+std::vector<int> cell_points(const space::PolyhedronList& cells, int cell);
 
 }  // namespace pcvt

@@ -26,7 +26,8 @@ int index(const std::string& name, const VtuArray& array, std::size_t k, int n) 
     return number;
 }
 
-void read_tetrahedra(const std::string& name, const VtuArrays& arrays, TetrahedralMesh& mesh) {
+void read_tetrahedra(const std::string& name, const VtuArrays& arrays,
+                     space::TetrahedralMesh& mesh) {
     const int n = arrays.n_cells();
     const VtuArray& types = arrays.get("Cells/types", n, 1, true);
     const VtuArray& ends = arrays.get("Cells/offsets", n, 1, true);
@@ -61,14 +62,14 @@ bool holds_vtu_tetrahedra(const EncodedFile& vtu) {
            std::string_view::npos;
 }
 
-TetrahedralMesh decode_tetrahedra_vtu(const EncodedFile& vtu) {
+space::TetrahedralMesh decode_tetrahedra_vtu(const EncodedFile& vtu) {
     refuse_binary(vtu.path, vtu.bytes, "export it as ASCII");
     const VtuArrays arrays(vtu.path, vtu.bytes);
     if (arrays.n_cells() == 0 || arrays.n_points() == 0) {
         throw BadFile(vtu.path + ": holds no tetrahedron; give the whole file");
     }
-    TetrahedralMesh mesh{.lattice = read_space_lattice(vtu.path, arrays),
-                         .points = read_space_points(vtu.path, arrays)};
+    space::TetrahedralMesh mesh{.lattice = read_space_lattice(vtu.path, arrays),
+                                .points = read_space_points(vtu.path, arrays)};
     const VtuArray& sites = arrays.get("PointData/CellId", arrays.n_points(), 1, true);
     for (std::size_t v = 0; v < sites.size(); ++v) {
         mesh.point_site.push_back(index(vtu.path, sites, v, arrays.n_points()));
@@ -79,7 +80,7 @@ TetrahedralMesh decode_tetrahedra_vtu(const EncodedFile& vtu) {
     return mesh;
 }
 
-void compare_tetrahedra_vtu(const EncodedFile& vtu, const TetrahedralMesh& mesh) {
+void compare_tetrahedra_vtu(const EncodedFile& vtu, const space::TetrahedralMesh& mesh) {
     if (vtu.bytes.find(kTetrahedraVtuMark) == std::string::npos) return;
     require_same_bytes({vtu}, encode_tetrahedra_vtu(mesh, vtu.path));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/tetrahedra/tetrahedral_mesh.hpp"
+#include "mesher/space/mesh/tetrahedral_mesh.hpp"
 
 namespace pcvt {
 
@@ -17,11 +17,11 @@ bool holds_vtu_tetrahedra(const EncodedFile& vtu);
 ///     const TetrahedralProof proof = prove_tetrahedra(mesh);
 ///
 /// @throws BadFile with the line.
-TetrahedralMesh decode_tetrahedra_vtu(const EncodedFile& vtu);
+space::TetrahedralMesh decode_tetrahedra_vtu(const EncodedFile& vtu);
 
 /// Compares a file that pcvt wrote with the one that encode_tetrahedra_vtu() gives for its
 /// tetrahedra; accepts files of other programs.
 /// @throws BadFile  naming the line.
-void compare_tetrahedra_vtu(const EncodedFile& vtu, const TetrahedralMesh& mesh);
+void compare_tetrahedra_vtu(const EncodedFile& vtu, const space::TetrahedralMesh& mesh);
 
 }  // namespace pcvt

@@ -10,7 +10,7 @@
 namespace pcvt {
 namespace {
 
-void append_cells(std::string& text, const TetrahedralMesh& mesh) {
+void append_cells(std::string& text, const space::TetrahedralMesh& mesh) {
     std::vector<int> ends;
     text += "<Cells>\n";
     open_vtk_array(text, "Int64", "connectivity");
@@ -28,7 +28,7 @@ void append_cells(std::string& text, const TetrahedralMesh& mesh) {
 
 }  // namespace
 
-std::vector<EncodedFile> encode_tetrahedra_vtu(const TetrahedralMesh& mesh,
+std::vector<EncodedFile> encode_tetrahedra_vtu(const space::TetrahedralMesh& mesh,
                                                const std::string& path) {
     std::string text;
     open_space_vtu(text, kTetrahedraVtuMark, mesh.lattice, 0, mesh.n_points(), mesh.n_tetrahedra());

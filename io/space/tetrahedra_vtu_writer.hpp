@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/tetrahedra/tetrahedral_mesh.hpp"
+#include "mesher/space/mesh/tetrahedral_mesh.hpp"
 
 namespace pcvt {
 
@@ -25,7 +25,7 @@ inline constexpr std::string_view kTetrahedraVtuMark =
 ///     for (const EncodedFile& file : encode_tetrahedra_vtu(mesh, "tile.vtu")) {
 ///         output.stage(file.path, file.bytes);
 ///     }
-std::vector<EncodedFile> encode_tetrahedra_vtu(const TetrahedralMesh& mesh,
+std::vector<EncodedFile> encode_tetrahedra_vtu(const space::TetrahedralMesh& mesh,
                                                const std::string& path);
 
 }  // namespace pcvt

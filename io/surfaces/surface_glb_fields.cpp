@@ -15,9 +15,9 @@
 #include "io/surfaces/surface_glb_writer.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
-#include "mesher/polyhedra/cell_sites.hpp"
-#include "mesher/polyhedra/polyhedral_mesh.hpp"
 #include "mesher/portable/portable_functions.hpp"
+#include "mesher/space/mesh/cell_sites.hpp"
+#include "mesher/space/mesh/polyhedral_mesh.hpp"
 
 namespace pcvt {
 namespace {
@@ -25,19 +25,19 @@ namespace {
 constexpr double kSingle = std::numeric_limits<float>::epsilon();
 constexpr double kDouble = std::numeric_limits<double>::epsilon();
 
-Vec3 wide(const std::array<float, 3>& p) { return {p[0], p[1], p[2]}; }
+space::Vec3 wide(const std::array<float, 3>& p) { return {p[0], p[1], p[2]}; }
 
 /// One face of a part: the fan of triangles round its first vertex.
 struct Fan {
-    std::vector<Vec3> points = {};
-    Vec3 normal = Vec3::Zero();
+    std::vector<space::Vec3> points = {};
+    space::Vec3 normal = space::Vec3::Zero();
     /// The sum of the area vectors of its triangles.
-    Vec3 area = Vec3::Zero();
+    space::Vec3 area = space::Vec3::Zero();
     double perimeter = 0;
 
-    Vec3 centre() const {
-        Vec3 sum = Vec3::Zero();
-        for (const Vec3& p : points) sum += p;
+    space::Vec3 centre() const {
+        space::Vec3 sum = space::Vec3::Zero();
+        for (const space::Vec3& p : points) sum += p;
         return sum / double(points.size());
     }
     /// The error of a direction by errors of the corners of this size; infinite for a face without
@@ -53,9 +53,9 @@ std::vector<Fan> fans_of(const GlbPart& part) {
     std::vector<Fan> fans;
     int first = -1;
     for (std::size_t c = 0; c < part.corners.size(); c += 3) {
-        const Vec3 p = wide(part.corners[c]);
-        const Vec3 q = wide(part.corners[c + 1]);
-        const Vec3 r = wide(part.corners[c + 2]);
+        const space::Vec3 p = wide(part.corners[c]);
+        const space::Vec3 q = wide(part.corners[c + 1]);
+        const space::Vec3 r = wide(part.corners[c + 2]);
         if (part.vertices[c] != first) {
             first = part.vertices[c];
             Fan& fan = fans.emplace_back();
@@ -74,8 +74,8 @@ std::vector<Fan> fans_of(const GlbPart& part) {
 }
 
 /// The numbers I, J, K of "seam_I_J_K"; zero for another name.
-Offset3 offset_in(const std::string& name) {
-    Offset3 offset{};
+space::Offset offset_in(const std::string& name) {
+    space::Offset offset{};
     const char* at = name.data() + std::min(name.size(), std::string_view("seam_").size());
     const char* const end = name.data() + name.size();
     for (int* number : {&offset.i, &offset.j, &offset.k}) {
@@ -92,7 +92,7 @@ SurfaceList list_of(const SurfaceGlb& glb) {
     list.sites = glb.sites;
     for (int s = 0; s < static_cast<int>(glb.parts.size()); ++s) {
         for (const Fan& fan : fans_of(glb.parts[s])) {
-            for (const Vec3& p : fan.points) {
+            for (const space::Vec3& p : fan.points) {
                 list.faces.corners.push_back(static_cast<int>(list.points.size()));
                 list.points.push_back(p);
             }
@@ -122,7 +122,7 @@ void compare_normals(const EncodedFile& file, const GlbPart& part, double larges
     for (const Fan& fan : fans) {
         const double tolerance = 4 * (kSingle + fan.tilt(kSingle * largest));
         for (std::size_t k = 0; k < fan.points.size(); ++k, ++v) {
-            const Vec3 normal = wide(part.normals[v]);
+            const space::Vec3 normal = wide(part.normals[v]);
             if ((normal - fan.area.stableNormalized()).norm() <= tolerance) continue;
             // A face below the rounding has any direction.
             if (tolerance > 1 && normal == fan.normal) continue;
@@ -133,8 +133,8 @@ void compare_normals(const EncodedFile& file, const GlbPart& part, double larges
 }
 
 /// The mean of the centres of the faces of a part.
-Vec3 middle_of(const GlbPart& part) {
-    Vec3 sum = Vec3::Zero();
+space::Vec3 middle_of(const GlbPart& part) {
+    space::Vec3 sum = space::Vec3::Zero();
     const std::vector<Fan> fans = fans_of(part);
     for (const Fan& fan : fans) sum += fan.centre();
     return sum / double(fans.size());
@@ -142,11 +142,11 @@ Vec3 middle_of(const GlbPart& part) {
 
 /// Each side of the seam plus its translation is the other side.
 void compare_seam(const EncodedFile& file, const SurfaceGlb& glb, double largest) {
-    std::map<Offset3, Vec3> middles;
+    std::map<space::Offset, space::Vec3> middles;
     for (const GlbPart& part : glb.parts) middles[offset_in(part.name)] = middle_of(part);
     for (const auto& [offset, middle] : middles) {
         const auto other = middles.find(-offset);
-        const Vec3 there = middle + glb.lattice.translation(offset);
+        const space::Vec3 there = middle + glb.lattice.translation(offset);
         if (other != middles.end() && (other->second - there).norm() <= 4 * kSingle * largest) {
             continue;
         }
@@ -159,25 +159,25 @@ void compare_seam(const EncodedFile& file, const SurfaceGlb& glb, double largest
 /// The sites of the torus, found by their position.
 class SiteImages {
    public:
-    SiteImages(const SpaceLattice& lattice, const Points3& sites) : lattice_(lattice) {
+    SiteImages(const space::Lattice& lattice, const space::Points& sites) : lattice_(lattice) {
         for (const auto& site : sites.colwise()) {
-            const Vec3 u = lattice.to_lattice(site);
-            sorted_.insert({u.x() - std::floor(u.x()), Vec3(site)});
+            const space::Vec3 u = lattice.to_lattice(site);
+            sorted_.insert({u.x() - std::floor(u.x()), space::Vec3(site)});
         }
     }
 
     /// Whether an image of a site lies within `distance` of a point.
-    bool any_at(const Vec3& point, double distance) const {
-        const Vec3 u = lattice_.to_lattice(point);
+    bool any_at(const space::Vec3& point, double distance) const {
+        const space::Vec3 u = lattice_.to_lattice(point);
         const double at = u.x() - std::floor(u.x());
         // The first lattice coordinate changes by at most this much.
-        const Vec3 across = lattice_.b().cross(lattice_.c());
+        const space::Vec3 across = lattice_.b().cross(lattice_.c());
         const double width = distance * across.norm() / lattice_.volume() + 4 * kDouble;
         return std::any_of(kTurns.begin(), kTurns.end(), [&](double turn) {
-            auto found = sorted_.lower_bound({at + turn - width, Vec3::Zero()});
+            auto found = sorted_.lower_bound({at + turn - width, space::Vec3::Zero()});
             for (; found != sorted_.end() && found->first <= at + turn + width; ++found) {
-                const Vec3 difference = lattice_.to_lattice(point - found->second);
-                const Vec3 rest = difference - Vec3(difference.array().round());
+                const space::Vec3 difference = lattice_.to_lattice(point - found->second);
+                const space::Vec3 rest = difference - space::Vec3(difference.array().round());
                 if (lattice_.to_space(rest).norm() <= distance) return true;
             }
             return false;
@@ -186,14 +186,15 @@ class SiteImages {
 
    private:
     struct Before {
-        bool operator()(const std::pair<double, Vec3>& s, const std::pair<double, Vec3>& t) const {
+        bool operator()(const std::pair<double, space::Vec3>& s,
+                        const std::pair<double, space::Vec3>& t) const {
             return s.first < t.first;
         }
     };
     static constexpr std::array<double, 3> kTurns{-1, 0, 1};
 
-    const SpaceLattice& lattice_;
-    std::multiset<std::pair<double, Vec3>, Before> sorted_;
+    const space::Lattice& lattice_;
+    std::multiset<std::pair<double, space::Vec3>, Before> sorted_;
 };
 
 void compare_sites(const SurfaceGlb& glb, double largest) {
@@ -204,12 +205,12 @@ void compare_sites(const SurfaceGlb& glb, double largest) {
     const SiteImages images(glb.lattice, glb.sites);
     // Proved corners lie at most this far off the planes between sites.
     const double off =
-        kBisectorTolerance * portable_cbrt(glb.lattice.volume() / double(glb.parts.size()));
+        space::kBisectorTolerance * portable_cbrt(glb.lattice.volume() / double(glb.parts.size()));
     for (std::size_t s = 0; s < glb.parts.size(); ++s) {
         checkpoint();
-        const Vec3 site = glb.sites.col(static_cast<Eigen::Index>(s));
+        const space::Vec3 site = glb.sites.col(static_cast<Eigen::Index>(s));
         for (const Fan& fan : fans_of(glb.parts[s])) {
-            const Vec3 arm = fan.centre() - site;
+            const space::Vec3 arm = fan.centre() - site;
             const double height = arm.dot(fan.normal);
             const double tilt = kSingle + fan.tilt(off);
             const double tolerance = 4 * (kSingle * largest + tilt * arm.norm());

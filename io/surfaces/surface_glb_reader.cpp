@@ -47,7 +47,8 @@ class GlbParser {
             glb.form = SurfaceForm::kBoundary;
         }
         glb.lattice = lattice(GltfDocument::member(periodic, "lattice"));
-        const std::vector<Vec3> sites = vectors(GltfDocument::member(periodic, "sites"), "sites");
+        const std::vector<space::Vec3> sites =
+            vectors(GltfDocument::member(periodic, "sites"), "sites");
         glb.sites.resize(3, static_cast<Eigen::Index>(sites.size()));
         for (std::size_t s = 0; s < sites.size(); ++s) {
             glb.sites.col(static_cast<Eigen::Index>(s)) = sites[s];
@@ -61,8 +62,8 @@ class GlbParser {
     }
 
    private:
-    std::vector<Vec3> vectors(const Json& rows, const std::string& name) const {
-        std::vector<Vec3> result;
+    std::vector<space::Vec3> vectors(const Json& rows, const std::string& name) const {
+        std::vector<space::Vec3> result;
         for (const Json& row : rows) {
             const bool is_vector = row.is_array() && row.size() == 3 && row[0].is_number() &&
                                    row[1].is_number() && row[2].is_number();
@@ -75,8 +76,8 @@ class GlbParser {
         return result;
     }
 
-    SpaceLattice lattice(const Json& rows) const {
-        const std::vector<Vec3> periods = vectors(rows, "lattice");
+    space::Lattice lattice(const Json& rows) const {
+        const std::vector<space::Vec3> periods = vectors(rows, "lattice");
         if (periods.size() != 3) {
             document_.throw_bad_file("extras.periodic.lattice is not [a, b, c]; write it again");
         }
@@ -124,7 +125,7 @@ class GlbParser {
     GltfDocument document_;
 };
 
-Vec3 widened(const Corner& corner) { return {corner[0], corner[1], corner[2]}; }
+space::Vec3 widened(const Corner& corner) { return {corner[0], corner[1], corner[2]}; }
 
 /// An edge from its lower end to its higher one, and its sense: 1, or -1 for the reverse.
 struct Edge {
@@ -166,12 +167,12 @@ struct Extent {
     double area = 0;
 };
 
-Extent extent_of(const GlbPart& part, const Vec3& origin) {
+Extent extent_of(const GlbPart& part, const space::Vec3& origin) {
     Extent extent;
     for (std::size_t c = 0; c < part.corners.size(); c += 3) {
-        const Vec3 p = widened(part.corners[c]) - origin;
-        const Vec3 q = widened(part.corners[c + 1]) - origin;
-        const Vec3 r = widened(part.corners[c + 2]) - origin;
+        const space::Vec3 p = widened(part.corners[c]) - origin;
+        const space::Vec3 q = widened(part.corners[c + 1]) - origin;
+        const space::Vec3 r = widened(part.corners[c + 2]) - origin;
         extent.volume += p.cross(q).dot(r) / 6;
         extent.area += (q - p).cross(r - p).norm() / 2;
     }
@@ -233,17 +234,17 @@ void require_same_surfaces(const SurfaceGlb& glb, const SurfaceList& list) {
 bool fits_single_precision(const SurfaceList& list) {
     constexpr double kResolved = 4e3;
     double largest = 0;
-    for (const Vec3& p : list.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    for (const space::Vec3& p : list.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
     double smallest = std::numeric_limits<double>::infinity();
     for (int f = 0; f < list.faces.n_faces(); ++f) {
         checkpoint_each(f);
         const auto face = list.faces[f];
-        const Vec3& first = list.points[face.front()];
-        Vec3 from = list.points[face.back()];
-        Vec3 area = Vec3::Zero();
+        const space::Vec3& first = list.points[face.front()];
+        space::Vec3 from = list.points[face.back()];
+        space::Vec3 area = space::Vec3::Zero();
         double perimeter = 0;
         for (const int v : face) {
-            const Vec3& to = list.points[v];
+            const space::Vec3& to = list.points[v];
             area += (from - first).cross(to - first) / 2;
             perimeter += (to - from).norm();
             smallest = std::min(smallest, (to - from).norm());
@@ -259,7 +260,7 @@ SurfaceGlbProof prove_surface_glb(const SurfaceGlb& glb) {
     const bool is_boundary = glb.form == SurfaceForm::kBoundary;
     SurfaceGlbProof proof{.n_parts = static_cast<int>(glb.parts.size())};
     std::vector<Edge> boundary;
-    const Vec3 origin = widened(glb.parts.front().corners.front());
+    const space::Vec3 origin = widened(glb.parts.front().corners.front());
     double largest = 0;
     double area = 0;
     for (const GlbPart& part : glb.parts) {

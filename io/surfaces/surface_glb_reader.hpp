@@ -20,8 +20,8 @@ struct GlbPart {
 /// The surfaces of a file of encode_surface_glb().
 struct SurfaceGlb {
     SurfaceForm form = SurfaceForm::kCells;
-    SpaceLattice lattice = SpaceLattice::box(1, 1, 1);
-    Points3 sites = Points3(3, 0);
+    space::Lattice lattice = space::Lattice::box(1, 1, 1);
+    space::Points sites = space::Points(3, 0);
     /// One for each primitive.
     std::vector<GlbPart> parts = {};
 };

@@ -22,7 +22,7 @@ namespace {
 /// tinygltf stores offsets as int.
 constexpr std::size_t kMostBytes = std::numeric_limits<int>::max();
 
-void append_json_vector(std::string& text, const Vec3& vector) {
+void append_json_vector(std::string& text, const space::Vec3& vector) {
     char before = '[';
     for (const double x : vector) {
         text += before;
@@ -36,7 +36,7 @@ std::string periodic_json(const SurfaceList& list) {
     const bool is_boundary = list.form == SurfaceForm::kBoundary;
     std::string text =
         is_boundary ? R"({"kind":"boundary","lattice":[)" : R"({"kind":"polyhedra","lattice":[)";
-    for (const Vec3& period : list.lattice.periods()) {
+    for (const space::Vec3& period : list.lattice.periods()) {
         append_json_vector(text, period);
         text += ',';
     }
@@ -52,8 +52,8 @@ std::string periodic_json(const SurfaceList& list) {
 }
 
 /// The unit normal of a polygon, from its area vector.
-Vec3 normal_of(const std::vector<Vec3>& points, std::span<const int> corners) {
-    Vec3 area = Vec3::Zero();
+space::Vec3 normal_of(const std::vector<space::Vec3>& points, std::span<const int> corners) {
+    space::Vec3 area = space::Vec3::Zero();
     for (std::size_t k = 2; k < corners.size(); ++k) {
         area += (points[corners[k - 1]] - points[corners[0]])
                     .cross(points[corners[k]] - points[corners[0]]);
@@ -61,7 +61,7 @@ Vec3 normal_of(const std::vector<Vec3>& points, std::span<const int> corners) {
     return area.stableNormalized();
 }
 
-Point3 narrow(const Vec3& p) {
+Point3 narrow(const space::Vec3& p) {
     return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
@@ -128,7 +128,7 @@ void add_one_node(const SurfaceList& list, const SurfaceParts& parts, ModelBuild
 }
 
 void require_range(const SurfaceList& list, const std::string& path) {
-    for (const Vec3& p : list.points) {
+    for (const space::Vec3& p : list.points) {
         if (p.cwiseAbs().maxCoeff() < double(std::numeric_limits<float>::max())) continue;
         throw CoarsePrecision(path +
                               ": a coordinate is too large for the single precision of glTF; take "

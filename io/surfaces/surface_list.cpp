@@ -4,7 +4,7 @@
 
 #include "io/bytes/bad_file.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/polyhedra/polyhedral_assembly.hpp"
+#include "mesher/space/mesh/polyhedral_assembly.hpp"
 
 namespace pcvt {
 namespace {
@@ -31,7 +31,7 @@ void require_indices(const SurfaceList& list, const std::string& path) {
 }
 
 SpaceTile cells_of(SurfaceList list, const std::string& path) {
-    PolyhedronList cells;
+    space::PolyhedronList cells;
     cells.points = std::move(list.points);
     for (int f = 0; f < list.faces.n_faces(); ++f) {
         const SiteId cell = list.cell[f];
@@ -60,7 +60,7 @@ SurfaceList surface_list(const SpaceTile& tile, SurfaceForm form) {
     if (form == SurfaceForm::kBoundary) {
         return surface_list(tile_surface(tile.mesh, tile.sites));
     }
-    PolyhedronList cells = polyhedron_list(tile.mesh);
+    space::PolyhedronList cells = polyhedron_list(tile.mesh);
     SurfaceList list;
     list.lattice = tile.mesh.lattice;
     list.points = std::move(cells.points);
@@ -74,7 +74,7 @@ SurfaceList surface_list(const SpaceTile& tile, SurfaceForm form) {
     return list;
 }
 
-SurfaceList surface_list(const TileSurface& surface) {
+SurfaceList surface_list(const space::TileSurface& surface) {
     SurfaceList list;
     list.form = SurfaceForm::kBoundary;
     list.lattice = surface.lattice;
@@ -90,7 +90,7 @@ SurfaceList surface_list(const TileSurface& surface) {
 SurfaceContent surface_content(SurfaceList list, const std::string& path) {
     require_indices(list, path);
     if (list.form == SurfaceForm::kCells) return cells_of(std::move(list), path);
-    TileSurface surface{.lattice = list.lattice};
+    space::TileSurface surface{.lattice = list.lattice};
     surface.points = std::move(list.points);
     surface.faces = std::move(list.faces);
     surface.cell = std::move(list.cell);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/space/space_tile.hpp"
-#include "mesher/surfaces/tile_surface.hpp"
+#include "mesher/space/tile/tile_surface.hpp"
 
 namespace pcvt {
 
@@ -24,17 +24,17 @@ inline constexpr std::array kSurfaceForms{SurfaceFormRow{SurfaceForm::kCells, "c
 /// Surfaces as files list them.
 struct SurfaceList {
     SurfaceForm form = SurfaceForm::kCells;
-    SpaceLattice lattice = SpaceLattice::box(1, 1, 1);
-    std::vector<Vec3> points = {};
+    space::Lattice lattice = space::Lattice::box(1, 1, 1);
+    std::vector<space::Vec3> points = {};
     /// Counter-clockwise seen from outside; of cells, cell after cell.
     Faces faces = {};
     /// The cell of each face, or behind it.
     std::vector<SiteId> cell = {};
     /// 3 x n, the site of each cell of the tile.
-    Points3 sites = Points3(3, 0);
+    space::Points sites = space::Points(3, 0);
     /// Of a boundary, as in TileSurface.
     std::vector<int> partner = {};
-    std::vector<Offset3> offset = {};
+    std::vector<space::Offset> offset = {};
 };
 
 /// Returns the surfaces of the cells of a tile, or of its boundary.
@@ -43,10 +43,10 @@ struct SurfaceList {
 ///     const SurfaceList list = surface_list(tile, SurfaceForm::kCells);
 ///     const SpaceTile same = std::get<SpaceTile>(surface_content(list, "tile.obj"));
 SurfaceList surface_list(const SpaceTile& tile, SurfaceForm form);
-SurfaceList surface_list(const TileSurface& surface);
+SurfaceList surface_list(const space::TileSurface& surface);
 
 /// What a list holds: the cells of a tile, or a boundary.
-using SurfaceContent = std::variant<SpaceTile, TileSurface>;
+using SurfaceContent = std::variant<SpaceTile, space::TileSurface>;
 
 /// Makes the tile or the boundary of a list that was read from a file.
 /// @throws BadFile   naming the file: an index refers to nothing, or the faces of a cell do not

@@ -27,8 +27,8 @@ class SurfaceObjParser {
             parse_line();
         }
         if (!has_lattice_) scanner_.throw_bad_file("the lattice is missing; give the whole file");
-        list_.sites = Eigen::Map<const Points3>(sites_.data(), 3,
-                                                static_cast<Eigen::Index>(sites_.size() / 3));
+        list_.sites = Eigen::Map<const space::Points>(sites_.data(), 3,
+                                                      static_cast<Eigen::Index>(sites_.size() / 3));
         if (list_.form == SurfaceForm::kBoundary) link_pairs();
         return std::move(list_);
     }
@@ -137,7 +137,7 @@ class SurfaceObjParser {
     struct Pair {
         int f;
         int g;
-        Offset3 offset;
+        space::Offset offset;
     };
 
     LineScanner scanner_;

@@ -37,9 +37,9 @@ void append_words(std::string& text, const Numbers& numbers) {
     text += '\n';
 }
 
-void append_lattice(std::string& text, const SpaceLattice& lattice) {
+void append_lattice(std::string& text, const space::Lattice& lattice) {
     text += "# pcvt lattice";
-    for (const Vec3& period : lattice.periods()) {
+    for (const space::Vec3& period : lattice.periods()) {
         for (const double x : period) {
             text += ' ';
             append_number(text, x);
@@ -57,8 +57,8 @@ void append_pairs(std::string& text, const SurfaceList& list) {
     }
     text += '\n';
     for (int f = 0; f < n_faces; ++f) {
-        const Offset3 offset = list.offset[f];
-        if (offset < Offset3{}) continue;
+        const space::Offset offset = list.offset[f];
+        if (offset < space::Offset{}) continue;
         text += "# pcvt face_pair";
         append_words(text, std::initializer_list<int>{f + 1, list.partner[f] + 1, offset.i,
                                                       offset.j, offset.k});
@@ -77,7 +77,7 @@ std::string obj_text(const SurfaceList& list, const SurfaceParts& parts,
     }
     if (is_boundary) append_pairs(text, list);
     text += "mtllib " + material_file + "\n";
-    for (const Vec3& p : list.points) {
+    for (const space::Vec3& p : list.points) {
         text += 'v';
         append_words(text, p);
     }

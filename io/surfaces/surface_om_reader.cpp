@@ -5,7 +5,7 @@
 namespace pcvt {
 namespace {
 
-SpaceLattice lattice_of(const OmMesh& mesh) {
+space::Lattice lattice_of(const OmMesh& mesh) {
     const std::vector<double> n = mesh.numbers("pcvt_lattice");
     if (n.size() != 9) mesh.throw_bad_file("has too little or too much pcvt_lattice");
     try {
@@ -22,9 +22,9 @@ bool is_surface_om(const EncodedFile& file) {
            file.bytes.find("pcvt_face_partner") != std::string::npos;
 }
 
-TileSurface decode_surface_om(const EncodedFile& om) {
+space::TileSurface decode_surface_om(const EncodedFile& om) {
     const OmMesh mesh(om.path, om.bytes);
-    TileSurface surface{.lattice = lattice_of(mesh)};
+    space::TileSurface surface{.lattice = lattice_of(mesh)};
     for (const auto& [x, y, z] : mesh.points()) surface.points.emplace_back(x, y, z);
     surface.faces = mesh.faces();
     surface.cell = mesh.integers("pcvt_face_cell", 1, mesh.n_faces());
@@ -35,8 +35,8 @@ TileSurface decode_surface_om(const EncodedFile& om) {
     }
     const std::vector<double> sites = mesh.numbers("pcvt_sites");
     if (sites.size() % 3 != 0) mesh.throw_bad_file("has too little or too much pcvt_sites");
-    surface.sites =
-        Eigen::Map<const Points3>(sites.data(), 3, static_cast<Eigen::Index>(sites.size() / 3));
+    surface.sites = Eigen::Map<const space::Points>(sites.data(), 3,
+                                                    static_cast<Eigen::Index>(sites.size() / 3));
     return surface;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/surfaces/tile_surface.hpp"
+#include "mesher/space/tile/tile_surface.hpp"
 
 namespace pcvt {
 
@@ -14,6 +14,6 @@ bool is_surface_om(const EncodedFile& file);
 ///     const TileSurface surface = decode_surface_om({"tile.om", read_whole_file("tile.om")});
 ///
 /// @throws BadFile naming the file.
-TileSurface decode_surface_om(const EncodedFile& om);
+space::TileSurface decode_surface_om(const EncodedFile& om);
 
 }  // namespace pcvt

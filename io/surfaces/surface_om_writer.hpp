@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/surfaces/tile_surface.hpp"
+#include "mesher/space/tile/tile_surface.hpp"
 
 namespace pcvt {
 
@@ -11,6 +11,7 @@ namespace pcvt {
 ///     const auto files = encode_surface_om(tile_surface(mesh, sites), "tile.om");
 ///
 /// @throws InvalidInput if the boundary is no manifold.
-std::vector<EncodedFile> encode_surface_om(const TileSurface& surface, const std::string& path);
+std::vector<EncodedFile> encode_surface_om(const space::TileSurface& surface,
+                                           const std::string& path);
 
 }  // namespace pcvt

@@ -49,9 +49,9 @@ SurfaceParts seam_parts(const SurfaceList& list) {
     SurfaceParts result;
     result.parts = runs(list.faces.n_faces(), [&](int f) { return list.offset[f]; });
     // Both sides of a seam have one colour.
-    std::map<Offset3, int> class_of;
+    std::map<space::Offset, int> class_of;
     for (SurfacePart& part : result.parts) {
-        const Offset3 offset = list.offset[part.first_face];
+        const space::Offset offset = list.offset[part.first_face];
         part.name = seam_name(offset);
         const auto [found, is_new] = class_of.try_emplace(std::max(offset, -offset),
                                                           static_cast<int>(result.classes.size()));

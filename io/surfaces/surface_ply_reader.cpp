@@ -40,7 +40,7 @@ class SurfacePlyParser {
             for (std::size_t k = 0; k < 3; ++k) sites.push_back(number(k));
         }
         list_.sites =
-            Eigen::Map<const Points3>(sites.data(), 3, static_cast<Eigen::Index>(n_sites_));
+            Eigen::Map<const space::Points>(sites.data(), 3, static_cast<Eigen::Index>(n_sites_));
         return std::move(list_);
     }
 
@@ -73,7 +73,7 @@ class SurfacePlyParser {
 
     void read_lattice() {
         const auto vector = [&](std::size_t k) {
-            return Vec3(number(k), number(k + 1), number(k + 2));
+            return space::Vec3(number(k), number(k + 1), number(k + 2));
         };
         try {
             list_.lattice = {vector(3), vector(6), vector(9)};
@@ -124,7 +124,7 @@ class SurfacePlyParser {
         list_.cell.push_back(property(3));
         if (!is_boundary) return;
         list_.partner.push_back(property(4));
-        const Offset3 offset{property(5), property(6), property(7)};
+        const space::Offset offset{property(5), property(6), property(7)};
         for (const int n : {offset.i, offset.j, offset.k}) {
             if (n < -kLargestOffset || n > kLargestOffset) {
                 scanner_.throw_bad_file("an offset is beyond 2^28; write the file again with pcvt");

@@ -20,7 +20,7 @@ void append_word(std::string& text, Number number) {
     text += ' ';
 }
 
-void append_vector(std::string& text, const Vec3& vector) {
+void append_vector(std::string& text, const space::Vec3& vector) {
     for (const double x : vector) append_word(text, x);
     text.back() = '\n';
 }
@@ -40,7 +40,7 @@ std::string header(const SurfaceList& list) {
                                                : "The cells of a periodic tile of polyhedra") +
                        ", written by pcvt\ncomment pcvt kind " +
                        (is_boundary ? "boundary" : "polyhedra") + "\ncomment pcvt lattice ";
-    for (const Vec3& period : list.lattice.periods()) {
+    for (const space::Vec3& period : list.lattice.periods()) {
         for (const double x : period) append_word(text, x);
     }
     text.back() = '\n';
@@ -70,7 +70,7 @@ void append_face(std::string& text, const SurfaceList& list, int f, const std::s
     text += colour;
     append_word(text, list.cell[f]);
     if (list.form == SurfaceForm::kBoundary) {
-        const Offset3 offset = list.offset[f];
+        const space::Offset offset = list.offset[f];
         for (const int number : {list.partner[f], offset.i, offset.j, offset.k}) {
             append_word(text, number);
         }
@@ -83,7 +83,7 @@ void append_face(std::string& text, const SurfaceList& list, int f, const std::s
 std::vector<EncodedFile> encode_surface_ply(const SurfaceList& list, const std::string& path) {
     const SurfaceParts parts = surface_parts(list);
     std::string text = header(list);
-    for (const Vec3& p : list.points) append_vector(text, p);
+    for (const space::Vec3& p : list.points) append_vector(text, p);
     for (const SurfacePart& part : parts.parts) {
         checkpoint();
         const std::string colour = colour_words(parts.classes[part.colour].colour);

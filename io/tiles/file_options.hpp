@@ -7,9 +7,9 @@
 #include "io/colours/colouring.hpp"
 #include "io/tiles/plane_element.hpp"
 #include "io/tiles/solver_job.hpp"
-#include "mesher/materials/cell_materials.hpp"
-#include "mesher/materials/elastic_choices.hpp"
-#include "mesher/voxels/voxel_grid.hpp"
+#include "mesher/plane/materials/cell_materials.hpp"
+#include "mesher/plane/materials/elastic_choices.hpp"
+#include "mesher/plane/voxels/voxel_grid.hpp"
 
 namespace pcvt {
 
@@ -33,7 +33,7 @@ struct FileOptions {
     /// Of graded meshes: the densities at sites 0 to n - 1 of one period; else empty.
     std::span<const double> site_densities = {};
     /// Phases and orientations of the cells, which must outlive the options; null: none.
-    const CellMaterials* materials = nullptr;
+    const plane::CellMaterials* materials = nullptr;
     /// Of runs with a symmetry: the orbit of sites 0 to n - 1 of one period; else empty.
     std::span<const int> site_orbits = {};
     SiteQuantities quantities() const { return {site_densities, materials, site_orbits}; }
@@ -47,7 +47,7 @@ struct FileOptions {
     /// Images: the number of pixels of a row; 0: kDefaultPixels.
     int pixels = 0;
     /// Voxel images: the numbers of voxels and of layers; 0 x 0 voxels: default_voxels().
-    VoxelCounts voxels = {};
+    plane::VoxelCounts voxels = {};
     /// MPAS: f and beta of the Coriolis parameter f + beta y; `nullopt`: none.
     std::optional<std::array<double, 2>> coriolis = {};
     /// SVG and DXF for cutters: the width of the tile in millimetres; 0: a coloured picture as SVG,
@@ -58,7 +58,7 @@ struct FileOptions {
     /// Inputs of solvers that can hold more than the mesh.
     SolverJob job = SolverJob::kNone;
     /// Inputs of solvers that hold elastic constants.
-    ElasticChoices elastic = {};
+    plane::ElasticChoices elastic = {};
     /// Of one layer of prisms, length units; 0: the mean distance of the cells.
     double thickness = 0;
 };

@@ -38,7 +38,8 @@ void check_face(const FileTileBuilder& file, int f, bool must_be_triangle, std::
     }
 }
 
-void check_pair(const FileTileBuilder& file, std::initializer_list<int> vertices, Offset offset) {
+void check_pair(const FileTileBuilder& file, std::initializer_list<int> vertices,
+                plane::Offset offset) {
     const char* remedy = "; remove the pairs or write the file again with pcvt";
     for (const int v : vertices) {
         if (v >= 0 && v < static_cast<int>(file.points.size())) continue;
@@ -53,12 +54,12 @@ void check_pair(const FileTileBuilder& file, std::initializer_list<int> vertices
     }
 }
 
-MeshKind guess_kind(const FileTileBuilder& file) {
+plane::MeshKind guess_kind(const FileTileBuilder& file) {
     for (int f = 0; f < file.faces.n_faces(); ++f) {
         checkpoint_each(f);
-        if (file.faces.size(f) != 3) return MeshKind::kVoronoi;
+        if (file.faces.size(f) != 3) return plane::MeshKind::kVoronoi;
     }
-    return MeshKind::kDelaunay;
+    return plane::MeshKind::kDelaunay;
 }
 
 /// @throws BadFile  a word is no number.
@@ -69,20 +70,20 @@ std::vector<double> numbers_of(const LineScanner& scanner,
     return numbers;
 }
 
-MeshKind read_kind(const LineScanner& scanner, std::span<const std::string_view> words) {
-    const auto found = words.size() == 1 ? mesh_kind_of_file_word(words[0]) : std::nullopt;
+plane::MeshKind read_kind(const LineScanner& scanner, std::span<const std::string_view> words) {
+    const auto found = words.size() == 1 ? plane::mesh_kind_of_file_word(words[0]) : std::nullopt;
     if (!found)
         scanner.throw_bad_file("the kind is unclear; name it once: cells, triangles or grains");
     return *found;
 }
 
-Lattice read_lattice(const LineScanner& scanner, std::span<const std::string_view> words) {
+plane::Lattice read_lattice(const LineScanner& scanner, std::span<const std::string_view> words) {
     if (words.size() != 4) {
         scanner.throw_bad_file("the lattice is unclear; name it once, with 4 numbers: ax ay bx by");
     }
     const std::vector<double> n = numbers_of(scanner, words);
     try {
-        return {Vec2(n[0], n[1]), Vec2(n[2], n[3])};
+        return {plane::Vec2(n[0], n[1]), plane::Vec2(n[2], n[3])};
     } catch (const InvalidInput& fault) {
         scanner.throw_bad_file(fault.what());
     }
@@ -152,7 +153,7 @@ bool FileTileBuilder::take_comment(const LineScanner& scanner, std::string_view 
     return true;
 }
 
-void give_sites(FileTileBuilder file, Tile& tile) {
+void give_sites(FileTileBuilder file, plane::Tile& tile) {
     const bool of_faces = faces_have_sites(tile.kind);
     const SiteNotes& notes = file.notes;
     if (!file.kind && !notes.positions.empty()) {
@@ -180,35 +181,37 @@ void give_sites(FileTileBuilder file, Tile& tile) {
     (of_faces ? tile.face_site : tile.vertex_site) = std::move(file.sites);
 }
 
-std::int64_t n_stated_sites(const Tile& tile) {
+std::int64_t n_stated_sites(const plane::Tile& tile) {
     const std::vector<SiteId>& sites = tile.sites();
     return sites.empty() ? 0 : 1 + std::int64_t{*std::max_element(sites.begin(), sites.end())};
 }
 
-TileFile finish(FileTileBuilder file, const std::optional<Lattice>& lattice, Precision precision) {
+TileFile finish(FileTileBuilder file, const std::optional<plane::Lattice>& lattice,
+                plane::Precision precision) {
     const bool states_lattice = file.lattice.has_value();
     resolve_numbers(file, lattice);
     if (file.points.empty()) throw_bad_file(file, "there is no vertex; give the file of a tile");
     if (file.face_lines.empty()) throw_bad_file(file, "there is no face; give the file of a tile");
-    const MeshKind kind = file.kind.value_or(guess_kind(file));
+    const plane::MeshKind kind = file.kind.value_or(guess_kind(file));
     std::vector<int> scratch;
     for (int f = 0; f < file.faces.n_faces(); ++f)
-        check_face(file, f, kind != MeshKind::kVoronoi, scratch);
-    for (const VertexPair& p : file.vertex_pairs) check_pair(file, {p.v, p.w}, p.offset);
-    for (const EdgePair& p : file.edge_pairs) check_pair(file, {p.v0, p.v1, p.w0, p.w1}, p.offset);
+        check_face(file, f, kind != plane::MeshKind::kVoronoi, scratch);
+    for (const plane::VertexPair& p : file.vertex_pairs) check_pair(file, {p.v, p.w}, p.offset);
+    for (const plane::EdgePair& p : file.edge_pairs)
+        check_pair(file, {p.v0, p.v1, p.w0, p.w1}, p.offset);
     if (!file.lattice) file.lattice = lattice;
     if (!file.lattice)
         throw_bad_file(file, "the file names no lattice; pass --lattice AX,AY,BX,BY");
     const bool has_vertex_pairs = !file.vertex_pairs.empty();
     const bool has_edge_pairs = !file.edge_pairs.empty();
-    Tile tile{.lattice = *file.lattice,
-              .kind = kind,
-              .points = std::move(file.points),
-              .faces = std::move(file.faces),
-              .vertex_pairs = std::move(file.vertex_pairs),
-              .edge_pairs = std::move(file.edge_pairs),
-              .order = file.order};
-    CellMaterials materials = std::move(file.materials);
+    plane::Tile tile{.lattice = *file.lattice,
+                     .kind = kind,
+                     .points = std::move(file.points),
+                     .faces = std::move(file.faces),
+                     .vertex_pairs = std::move(file.vertex_pairs),
+                     .edge_pairs = std::move(file.edge_pairs),
+                     .order = file.order};
+    plane::CellMaterials materials = std::move(file.materials);
     std::vector<int> site_orbits = std::move(file.site_orbits);
     const bool states_all_orbits = file.states_all_orbits;
     const std::string name = file.name;

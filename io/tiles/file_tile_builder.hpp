@@ -30,9 +30,9 @@ struct FileTileBuilder {
     std::string name;
     /// The number that the file gives to its first vertex: 1 in OBJ, 0 in PLY.
     int index_base;
-    std::optional<MeshKind> kind = {};
-    std::optional<Lattice> lattice = {};
-    std::vector<Vec2> points = {};
+    std::optional<plane::MeshKind> kind = {};
+    std::optional<plane::Lattice> lattice = {};
+    std::vector<plane::Vec2> points = {};
     Faces faces = {};
     /// The line of each face.
     std::vector<int> face_lines = {};
@@ -42,11 +42,11 @@ struct FileTileBuilder {
     SiteNotes notes = {};
     /// The keys of the comments that were read and may be there once.
     std::vector<std::string_view> stated = {};
-    std::vector<VertexPair> vertex_pairs = {};
-    std::vector<EdgePair> edge_pairs = {};
+    std::vector<plane::VertexPair> vertex_pairs = {};
+    std::vector<plane::EdgePair> edge_pairs = {};
     /// As Tile::order; the nodes in the middle of edges are not among the points.
     int order = 1;
-    CellMaterials materials = {};
+    plane::CellMaterials materials = {};
     /// As TileFile::site_orbits.
     std::vector<int> site_orbits = {};
     /// Whether comments state them, which have those of sites without elements, too.
@@ -66,10 +66,10 @@ struct FileTileBuilder {
 /// Gives a tile the sites and the notes of a file, for readers that do not call finish().
 /// @throws BadFile if there is not one site for each owner; there are positions of sites without
 ///         sites or without a kind, or not one weight for each position.
-void give_sites(FileTileBuilder builder, Tile& tile);
+void give_sites(FileTileBuilder builder, plane::Tile& tile);
 
 /// The number of sites that the faces, or the vertices, of a tile name: the largest one plus 1.
-std::int64_t n_stated_sites(const Tile& tile);
+std::int64_t n_stated_sites(const plane::Tile& tile);
 
 /// Gives numbered items their indices, checks the laws that every tile needs and returns the tile.
 /// A file that does not state its kind holds triangles if all of its faces have three corners, else
@@ -82,7 +82,7 @@ std::int64_t n_stated_sites(const Tile& tile);
 ///         sites is not that of their owners; a file has positions of sites without sites, or not
 ///         one weight for each; orbits are not counted in the order of their sites; a number is
 ///         given twice, or used but not given; a translation is no lattice vector within 4 ulps.
-TileFile finish(FileTileBuilder builder, const std::optional<Lattice>& lattice,
-                Precision precision);
+TileFile finish(FileTileBuilder builder, const std::optional<plane::Lattice>& lattice,
+                plane::Precision precision);
 
 }  // namespace pcvt

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
 /// To be called before any writer: no format of ours has a word for NaN or infinity.
 /// @throws InternalError naming the first vertex whose coordinates are not finite.
-void require_finite(const Tile& tile);
+void require_finite(const plane::Tile& tile);
 
 }  // namespace pcvt

@@ -30,10 +30,10 @@ bool same_edge(const MidsideNode& e, const MidsideNode& f) {
     return e.low == f.low && e.high == f.high;
 }
 
-double position_tolerance(const FileTileBuilder& file, Precision precision) {
+double position_tolerance(const FileTileBuilder& file, plane::Precision precision) {
     double largest = 0;
-    for (const Vec2& p : file.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    const double epsilon = precision == Precision::kDouble
+    for (const plane::Vec2& p : file.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    const double epsilon = precision == plane::Precision::kDouble
                                ? std::numeric_limits<double>::epsilon()
                                : double{std::numeric_limits<float>::epsilon()};
     return kMidsideUlps * epsilon * largest;
@@ -83,8 +83,8 @@ void require_distinct(const FileTileBuilder& file, const std::vector<MidsideNode
 void require_middle_positions(const FileTileBuilder& file, const std::vector<MidsideNode>& edges,
                               double tolerance) {
     for (const MidsideNode& edge : edges) {
-        const Vec2& low = file.points[edge.low];
-        const Vec2 middle = low + (file.points[edge.high] - low) / 2;
+        const plane::Vec2& low = file.points[edge.low];
+        const plane::Vec2 middle = low + (file.points[edge.high] - low) / 2;
         if ((file.points[edge.node] - middle).cwiseAbs().maxCoeff() <= tolerance) continue;
         throw_bad_file(
             file, edge.line,
@@ -93,35 +93,36 @@ void require_middle_positions(const FileTileBuilder& file, const std::vector<Mid
 }
 
 /// Whether both ends of an edge lie on one wall.
-bool is_on_wall(const FileTileBuilder& file, const MidsideNode& edge, const Lattice& lattice,
+bool is_on_wall(const FileTileBuilder& file, const MidsideNode& edge, const plane::Lattice& lattice,
                 double tolerance) {
-    const auto is_on = [&](const WallSideRow& row) {
+    const auto is_on = [&](const plane::WallSideRow& row) {
         if (!has_walls_across(file.notes.walls, row.axis)) return false;
         const double line = wall_line(row.side, lattice);
         return std::abs(file.points[edge.low][row.axis] - line) <= tolerance &&
                std::abs(file.points[edge.high][row.axis] - line) <= tolerance;
     };
-    return std::any_of(kWallSides.begin(), kWallSides.end(), is_on);
+    return std::any_of(plane::kWallSides.begin(), plane::kWallSides.end(), is_on);
 }
 
 /// The ends of the edges of holes, the lower one first; corners precede other nodes in files of
 /// tiles with holes.
 std::set<std::pair<int, int>> hole_edges(const FileTileBuilder& file) {
     std::set<std::pair<int, int>> edges;
-    for (const WallEdge& edge : file.notes.hole_edges) edges.insert(std::minmax(edge.v0, edge.v1));
+    for (const plane::WallEdge& edge : file.notes.hole_edges)
+        edges.insert(std::minmax(edge.v0, edge.v1));
     return edges;
 }
 
 /// Each pair of middle nodes is a translation, each one on the seam belongs to one pair.
 void require_pairs(const FileTileBuilder& file, const std::vector<MidsideNode>& edges,
-                   const Lattice& lattice, double tolerance) {
+                   const plane::Lattice& lattice, double tolerance) {
     std::vector<const MidsideNode*> edge_of(file.points.size(), nullptr);
     for (const MidsideNode& edge : edges) edge_of[edge.node] = &edge;
     std::vector<bool> paired(file.points.size(), false);
-    for (const VertexPair& pair : file.vertex_pairs) {
+    for (const plane::VertexPair& pair : file.vertex_pairs) {
         const MidsideNode* edge = edge_of[pair.w];
         if (edge == nullptr && edge_of[pair.v] == nullptr) continue;
-        const Vec2 image = file.points[pair.v] + lattice.translation(pair.offset);
+        const plane::Vec2 image = file.points[pair.v] + lattice.translation(pair.offset);
         if (edge == nullptr || edge_of[pair.v] == nullptr ||
             !((file.points[pair.w] - image).cwiseAbs().maxCoeff() <= tolerance)) {
             throw_bad_file(
@@ -166,12 +167,12 @@ void compact(FileTileBuilder& file, const std::vector<MidsideNode>& edges) {
         triangles.close();
     }
     file.faces = std::move(triangles);
-    std::vector<VertexPair> pairs;
-    for (const VertexPair& pair : file.vertex_pairs) {
+    std::vector<plane::VertexPair> pairs;
+    for (const plane::VertexPair& pair : file.vertex_pairs) {
         if (place[pair.w] >= 0) pairs.push_back({place[pair.v], place[pair.w], pair.offset});
     }
     file.vertex_pairs = std::move(pairs);
-    for (EdgePair& pair : file.edge_pairs) {
+    for (plane::EdgePair& pair : file.edge_pairs) {
         pair = {.v0 = place[pair.v0],
                 .v1 = place[pair.v1],
                 .w0 = place[pair.w0],
@@ -200,12 +201,12 @@ std::vector<MidsideNode> file_midside_nodes(const FileTileBuilder& file) {
     return edges;
 }
 
-void remove_midside_nodes(FileTileBuilder& file, const std::optional<Lattice>& lattice,
-                          Precision precision) {
+void remove_midside_nodes(FileTileBuilder& file, const std::optional<plane::Lattice>& lattice,
+                          plane::Precision precision) {
     const std::vector<MidsideNode> edges = file_midside_nodes(file);
     const double tolerance = position_tolerance(file, precision);
     require_middle_positions(file, edges, tolerance);
-    const std::optional<Lattice>& stated = file.lattice ? file.lattice : lattice;
+    const std::optional<plane::Lattice>& stated = file.lattice ? file.lattice : lattice;
     if (stated && !file.vertex_pairs.empty()) require_pairs(file, edges, *stated, tolerance);
     compact(file, edges);
     file.order = 2;

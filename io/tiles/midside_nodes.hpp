@@ -29,7 +29,7 @@ std::vector<MidsideNode> file_midside_nodes(const FileTileBuilder& file);
 /// stored, to be paired over the seam, each within 4 ulps of the largest coordinate.
 /// @param lattice  stands in for one that the file lacks.
 /// @throws BadFile  with the line, also what file_midside_nodes() refuses.
-void remove_midside_nodes(FileTileBuilder& file, const std::optional<Lattice>& lattice,
-                          Precision precision);
+void remove_midside_nodes(FileTileBuilder& file, const std::optional<plane::Lattice>& lattice,
+                          plane::Precision precision);
 
 }  // namespace pcvt

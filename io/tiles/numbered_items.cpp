@@ -50,13 +50,13 @@ int place(const std::vector<Item>& items, int number, const std::string& name, i
     return static_cast<int>(found - items.begin());
 }
 
-Offset offset_of(const Lattice& lattice, const Vec2& translation, const std::string& name,
-                 int line) {
-    const Vec2 periods = lattice.to_lattice(translation);
+plane::Offset offset_of(const plane::Lattice& lattice, const plane::Vec2& translation,
+                        const std::string& name, int line) {
+    const plane::Vec2 periods = lattice.to_lattice(translation);
     if (periods.allFinite() && periods.cwiseAbs().maxCoeff() < kLargestOffset) {
-        const Offset offset{static_cast<int>(std::lround(periods.x())),
-                            static_cast<int>(std::lround(periods.y()))};
-        const Vec2 exact = lattice.translation(offset);
+        const plane::Offset offset{static_cast<int>(std::lround(periods.x())),
+                                   static_cast<int>(std::lround(periods.y()))};
+        const plane::Vec2 exact = lattice.translation(offset);
         const double largest = std::max({translation.cwiseAbs().maxCoeff(),
                                          std::abs(offset.i) * lattice.a().cwiseAbs().maxCoeff(),
                                          std::abs(offset.j) * lattice.b().cwiseAbs().maxCoeff()});
@@ -73,7 +73,7 @@ Offset offset_of(const Lattice& lattice, const Vec2& translation, const std::str
 
 class Resolver {
    public:
-    Resolver(FileTileBuilder& file, const std::optional<Lattice>& lattice)
+    Resolver(FileTileBuilder& file, const std::optional<plane::Lattice>& lattice)
         : numbered_(file.numbered), file_(file) {
         if (!file_.lattice) file_.lattice = lattice;
         sort_by_number(numbered_.nodes, file_.name, "node");
@@ -91,7 +91,7 @@ class Resolver {
         if (file_.lattice) take_pairs();
         if (is_second_order()) {
             require_middles_of_edges();
-            remove_midside_nodes(file_, std::nullopt, Precision::kDouble);
+            remove_midside_nodes(file_, std::nullopt, plane::Precision::kDouble);
         }
     }
 
@@ -174,7 +174,7 @@ class Resolver {
 
 }  // namespace
 
-void resolve_numbers(FileTileBuilder& builder, const std::optional<Lattice>& lattice) {
+void resolve_numbers(FileTileBuilder& builder, const std::optional<plane::Lattice>& lattice) {
     Resolver(builder, lattice).resolve();
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "mesher/lattice/sites.hpp"
+#include "mesher/plane/geometry/sites.hpp"
 
 namespace pcvt {
 
@@ -16,7 +16,7 @@ struct NumberedItems {
     struct Node {
         int number;
         int line;
-        Vec2 point;
+        plane::Vec2 point;
     };
     struct Triangle {
         int number;
@@ -28,7 +28,7 @@ struct NumberedItems {
         int slave;
         int master;
         int line;
-        Vec2 translation;
+        plane::Vec2 translation;
     };
     /// A boundary edge, the tile on its left, and the nodes that its partner joins: as EdgePair.
     struct Edge {
@@ -36,7 +36,7 @@ struct NumberedItems {
         /// The node in its middle; nothing for order 1.
         std::optional<int> middle;
         int line;
-        Vec2 translation;
+        plane::Vec2 translation;
     };
     /// The site of the node or triangle with this number.
     struct SiteOf {
@@ -58,6 +58,6 @@ struct NumberedItems {
 /// their numbers; finish() calls it.
 /// @param lattice  replaces one that the file lacks.
 /// @throws BadFile  with the line, as finish() states.
-void resolve_numbers(FileTileBuilder& builder, const std::optional<Lattice>& lattice);
+void resolve_numbers(FileTileBuilder& builder, const std::optional<plane::Lattice>& lattice);
 
 }  // namespace pcvt

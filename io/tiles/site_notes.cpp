@@ -9,8 +9,8 @@
 #include "io/bytes/text.hpp"
 #include "io/tiles/tile_file.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/tile/site_positions.hpp"
-#include "mesher/tile/tile_edges.hpp"
+#include "mesher/plane/tile/site_positions.hpp"
+#include "mesher/plane/tile/tile_edges.hpp"
 
 namespace pcvt {
 namespace {
@@ -23,7 +23,9 @@ constexpr CharSet kNameLetters("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUV
 constexpr double kMostHoleVertices = 2147483647;
 constexpr std::size_t kHoleEdgesALine = 8;
 
-std::vector<double> periods(const Tile& tile) { return {double(tile.columns), double(tile.rows)}; }
+std::vector<double> periods(const plane::Tile& tile) {
+    return {double(tile.columns), double(tile.rows)};
+}
 
 void take_periods(std::span<const double> numbers, SiteNotes& notes) {
     for (const double n : numbers) {
@@ -35,7 +37,7 @@ void take_periods(std::span<const double> numbers, SiteNotes& notes) {
     notes.rows = static_cast<int>(numbers[1]);
 }
 
-std::vector<double> short_edges(const Tile& tile) { return {tile.short_edges}; }
+std::vector<double> short_edges(const plane::Tile& tile) { return {tile.short_edges}; }
 
 void take_short_edges(std::span<const double> numbers, SiteNotes& notes) {
     if (!(numbers[0] >= 0 && numbers[0] <= kLongestRemovedEdge)) {
@@ -44,28 +46,28 @@ void take_short_edges(std::span<const double> numbers, SiteNotes& notes) {
     notes.short_edges = numbers[0];
 }
 
-std::vector<double> metric(const Tile& tile) {
+std::vector<double> metric(const plane::Tile& tile) {
     return {tile.metric.ratio(), tile.metric.degrees()};
 }
 
 void take_metric(std::span<const double> numbers, SiteNotes& notes) {
-    notes.metric = Metric(numbers[0], numbers[1]);
+    notes.metric = plane::Metric(numbers[0], numbers[1]);
 }
 
-std::vector<double> walls(const Tile& tile) {
+std::vector<double> walls(const plane::Tile& tile) {
     const std::array<double, 2> numbers = walls_as_numbers(tile.walls);
     return {numbers.begin(), numbers.end()};
 }
 
 void take_walls(std::span<const double> numbers, SiteNotes& notes) {
-    const WallsRow* const row = walls_of_numbers(numbers[0], numbers[1]);
+    const plane::WallsRow* const row = plane::walls_of_numbers(numbers[0], numbers[1]);
     if (row == nullptr) throw InvalidInput("the walls across x and across y are not 0 or 1");
     notes.walls = row->walls;
 }
 
-std::vector<double> positions(const Tile& tile) {
+std::vector<double> positions(const plane::Tile& tile) {
     std::vector<double> numbers;
-    for (const Vec2& p : site_positions(tile)) numbers.insert(numbers.end(), {p.x(), p.y()});
+    for (const plane::Vec2& p : site_positions(tile)) numbers.insert(numbers.end(), {p.x(), p.y()});
     return numbers;
 }
 
@@ -75,7 +77,7 @@ void take_positions(std::span<const double> numbers, SiteNotes& notes) {
     }
 }
 
-std::vector<double> weights(const Tile& tile) { return tile.site_weights; }
+std::vector<double> weights(const plane::Tile& tile) { return tile.site_weights; }
 
 void take_weights(std::span<const double> numbers, SiteNotes& notes) {
     notes.weights.insert(notes.weights.end(), numbers.begin(), numbers.end());
@@ -161,7 +163,7 @@ void append_part(std::string& text, double number) {
 
 }  // namespace
 
-void SiteNotes::give_to(Tile& tile) && {
+void SiteNotes::give_to(plane::Tile& tile) && {
     if (!positions.empty() && columns == 0) columns = this->rows = 1;
     tile.columns = columns;
     tile.rows = this->rows;
@@ -169,7 +171,7 @@ void SiteNotes::give_to(Tile& tile) && {
     tile.metric = metric;
     tile.walls = walls;
     tile.wall_edges = edges_on_walls(tile);
-    for (const WallEdge& edge : hole_edges) {
+    for (const plane::WallEdge& edge : hole_edges) {
         if (std::max(edge.v0, edge.v1) >= tile.n_vertices()) {
             throw InvalidInput("a hole has an edge at a vertex that does not exist");
         }
@@ -190,7 +192,7 @@ void SiteNotes::add_hole_edge(std::string_view name, double v0, double v1) {
         throw InvalidInput("the edge of a hole needs two vertices");
     }
     const auto known = std::find(holes.begin(), holes.end(), name);
-    const WallId wall = WallId::hole(static_cast<int>(known - holes.begin()));
+    const plane::WallId wall = plane::WallId::hole(static_cast<int>(known - holes.begin()));
     if (known == holes.end()) holes.emplace_back(name);
     hole_edges.push_back({wall, static_cast<int>(v0), static_cast<int>(v1)});
 }
@@ -217,7 +219,7 @@ std::vector<std::string_view> site_parts() {
     return parts;
 }
 
-std::vector<StatedNote> stated_notes(const Tile& tile, bool of_arrays) {
+std::vector<StatedNote> stated_notes(const plane::Tile& tile, bool of_arrays) {
     if (site_positions(tile).empty()) return {};
     std::vector<StatedNote> stated;
     for (const SiteNote& note : rows()) {
@@ -257,11 +259,11 @@ void append_tile_notes(std::string& text, std::string_view mark,
     }
 }
 
-void append_hole_comments(std::string& text, std::string_view mark, const Tile& tile,
+void append_hole_comments(std::string& text, std::string_view mark, const plane::Tile& tile,
                           int index_base) {
     std::size_t in_line = 0;
-    const WallEdge* before = nullptr;
-    for (const WallEdge& edge : tile.wall_edges) {
+    const plane::WallEdge* before = nullptr;
+    for (const plane::WallEdge& edge : tile.wall_edges) {
         if (!edge.wall.is_hole()) continue;
         if (before == nullptr || before->wall != edge.wall || in_line == kHoleEdgesALine) {
             if (before != nullptr) text += '\n';
@@ -275,7 +277,7 @@ void append_hole_comments(std::string& text, std::string_view mark, const Tile& 
     if (before != nullptr) text += '\n';
 }
 
-void append_note_comments(std::string& text, std::string_view mark, const Tile& tile,
+void append_note_comments(std::string& text, std::string_view mark, const plane::Tile& tile,
                           int index_base) {
     const std::vector<StatedNote> notes = stated_notes(tile);
     append_tile_notes(text, mark, notes);
@@ -332,7 +334,7 @@ void take_hole_note(std::string_view name, std::span<const double> numbers, Site
     }
 }
 
-bool same_site_notes(const Tile& file, const Tile& tile) {
+bool same_site_notes(const plane::Tile& file, const plane::Tile& tile) {
     if (file.holes != tile.holes) return false;
     if (!tile.holes.empty() && file.wall_edges != tile.wall_edges) return false;
     if (file.site_positions.empty()) return true;

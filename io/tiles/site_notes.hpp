@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -24,14 +24,14 @@ struct SiteNotes {
     int columns = 0;
     int rows = 0;
     double short_edges = 1;
-    Metric metric = {};
-    Walls walls = Walls::kNone;
+    plane::Metric metric = {};
+    plane::Walls walls = plane::Walls::kNone;
     /// Tile::site_positions and Tile::site_weights.
-    std::vector<Vec2> positions = {};
+    std::vector<plane::Vec2> positions = {};
     std::vector<double> weights = {};
     /// Tile::holes, and the edges on them among Tile::wall_edges.
     std::vector<std::string> holes = {};
-    std::vector<WallEdge> hole_edges = {};
+    std::vector<plane::WallEdge> hole_edges = {};
 
     /// Adds an edge of a hole, which may be new.
     /// @throws InvalidInput if the name has other characters than letters, digits, _ and -, or a
@@ -40,7 +40,7 @@ struct SiteNotes {
     /// Gives all quantities to a tile, which has its points and faces; positions without numbers of
     /// periods cover one.
     /// @throws InvalidInput if the edge of a hole ends at a vertex that does not exist.
-    void give_to(Tile& tile) &&;
+    void give_to(plane::Tile& tile) &&;
 };
 
 /// One quantity in all formats: a row of the table of notes on sites. The next quantity
@@ -60,7 +60,7 @@ struct SiteNote {
     /// The line that explains it to a reader of the file.
     const char* meaning;
     /// The numbers of a tile; of each site those of site 0, then site 1, ...
-    std::vector<double> (*numbers)(const Tile& tile);
+    std::vector<double> (*numbers)(const plane::Tile& tile);
     /// Of a valid number of numbers. @throws InvalidInput if one is out of range.
     void (*take)(std::span<const double> numbers, SiteNotes& notes);
     /// The numbers of most tiles, which a file does not state.
@@ -87,9 +87,9 @@ struct StatedNote {
 };
 
 /// Returns the notes that a file of the tile states: none where the tile does not know the
-/// positions of its sites (mesher/tile/site_positions.hpp).
+/// positions of its sites (mesher/plane/tile/site_positions.hpp).
 /// @param of_arrays  whether SiteNote::always_in_arrays counts.
-std::vector<StatedNote> stated_notes(const Tile& tile, bool of_arrays = false);
+std::vector<StatedNote> stated_notes(const plane::Tile& tile, bool of_arrays = false);
 
 /// The numbers of all sites, `width` of each: x, y, and perhaps the weight.
 struct SiteRows {
@@ -109,12 +109,12 @@ void append_tile_notes(std::string& text, std::string_view mark,
 
 /// Appends the edges of holes as lines of text, two vertices each: `MARKhole TAG v0 v1 v2 v3 ...`.
 /// @param index_base  the number of the first vertex.
-void append_hole_comments(std::string& text, std::string_view mark, const Tile& tile,
+void append_hole_comments(std::string& text, std::string_view mark, const plane::Tile& tile,
                           int index_base);
 
 /// Appends all notes as lines of text: `MARKmetric 3 30`, one `MARKsite x y weight` a site, and the
 /// edges of holes.
-void append_note_comments(std::string& text, std::string_view mark, const Tile& tile,
+void append_note_comments(std::string& text, std::string_view mark, const plane::Tile& tile,
                           int index_base);
 
 /// Appends one line a note that explains its comment to a reader of the file.
@@ -135,6 +135,6 @@ void take_hole_note(std::string_view name, std::span<const double> numbers, Site
 
 /// Whether both tiles have the same notes; true of a file without positions of sites. Both have the
 /// same edges of holes in any case.
-bool same_site_notes(const Tile& file, const Tile& tile);
+bool same_site_notes(const plane::Tile& file, const plane::Tile& tile);
 
 }  // namespace pcvt

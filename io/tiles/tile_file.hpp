@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "io/bytes/bad_file.hpp"
-#include "mesher/materials/cell_materials.hpp"
-#include "mesher/proof/validate.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/materials/cell_materials.hpp"
+#include "mesher/plane/proof/validate.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -21,8 +21,8 @@ inline constexpr double kLongestRemovedEdge = 1;
 
 /// A tile as read from a file, before any of it is believed.
 struct TileFile {
-    Tile tile;
-    Precision precision;
+    plane::Tile tile;
+    plane::Precision precision;
     /// False where the file carries no pairing; tile.vertex_pairs and edge_pairs are empty then.
     bool has_vertex_pairs;
     bool has_edge_pairs;
@@ -31,16 +31,16 @@ struct TileFile {
     /// The file states its lattice, as pcvt writes it; then all of its fields follow from the tile.
     bool states_lattice = false;
     /// Of the sites of one period; empty where the file states none.
-    CellMaterials materials = {};
+    plane::CellMaterials materials = {};
     /// The phases that the names of materials show, of a file that states none; may be empty.
-    CellMaterials shown = {};
+    plane::CellMaterials shown = {};
     /// The orbit of each site of one period under the symmetry of the run, -1 for a site that has
     /// no element; empty where the file states none.
     std::vector<int> site_orbits = {};
     /// Of a file of prisms: their height, length units; else 0.
     double thickness = 0;
     /// To which the positions of the tile are relative, length units; not 0 for distant tiles only.
-    Vec2 translation = Vec2::Zero();
+    plane::Vec2 translation = plane::Vec2::Zero();
     /// As the user stated it, least_tolerance of prove_tile().
     double tolerance = 0;
 };

@@ -70,10 +70,10 @@ std::vector<FanTriangle> triangle_fan(std::span<const Point32> corners, int excl
     return fan_from(corners, best);
 }
 
-std::vector<Point32> single_precision_points(const Tile& tile, const std::string& path) {
+std::vector<Point32> single_precision_points(const plane::Tile& tile, const std::string& path) {
     std::vector<Point32> points;
     points.reserve(tile.points.size());
-    for (const Vec2& p : tile.points) {
+    for (const plane::Vec2& p : tile.points) {
         // Adding zero turns -0 into 0.
         points.push_back({static_cast<float>(p.x()) + 0.0f, static_cast<float>(p.y()) + 0.0f});
         if (!std::isfinite(points.back()[0]) || !std::isfinite(points.back()[1])) {
@@ -84,7 +84,7 @@ std::vector<Point32> single_precision_points(const Tile& tile, const std::string
     return points;
 }
 
-void append_fan(const Tile& cells, int face, int before, const std::vector<Point32>& points,
+void append_fan(const plane::Tile& cells, int face, int before, const std::vector<Point32>& points,
                 std::vector<int>& corners, const std::string& path) {
     std::vector<Point32> polygon;
     for (const int v : cells.faces[face]) polygon.push_back(points[v]);

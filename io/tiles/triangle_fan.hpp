@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -27,7 +27,7 @@ std::vector<FanTriangle> triangle_fan(std::span<const Point32> corners, int excl
 
 /// Returns the vertices of a tile in single precision.
 /// @throws CoarsePrecision naming the path if float32 cannot hold a coordinate.
-std::vector<Point32> single_precision_points(const Tile& tile, const std::string& path);
+std::vector<Point32> single_precision_points(const plane::Tile& tile, const std::string& path);
 
 /// Appends the corners of the fan of a face of cells, three vertices of the tile per triangle.
 ///
@@ -36,7 +36,7 @@ std::vector<Point32> single_precision_points(const Tile& tile, const std::string
 /// @param before  the face whose fan `corners` ends with; -1: there is none.
 /// @param points  as single_precision_points() returns them.
 /// @throws CoarsePrecision naming the path if the face has no area in float32.
-void append_fan(const Tile& cells, int face, int before, const std::vector<Point32>& points,
+void append_fan(const plane::Tile& cells, int face, int before, const std::vector<Point32>& points,
                 std::vector<int>& corners, const std::string& path);
 
 }  // namespace pcvt

@@ -74,7 +74,7 @@ std::vector<double> CellFields::numbers(const std::string& file, const std::stri
     return values;
 }
 
-VoxelCells CellFields::cells(const std::string& file) const {
+plane::VoxelCells CellFields::cells(const std::string& file) const {
     const std::vector<double> lattice = numbers(file, "PeriodicLattice");
     const std::vector<double> sites = numbers(file, "SitePositions");
     const std::vector<double> weights = numbers(file, "SiteWeights");
@@ -94,15 +94,15 @@ VoxelCells CellFields::cells(const std::string& file) const {
         refuse(file, "SiteWeights", "there is not one weight a site; correct them");
     }
     try {
-        const Lattice periods({lattice[0], lattice[1]}, {lattice[2], lattice[3]});
-        const Points points = Eigen::Map<const Points>(sites.data(), 2, n);
+        const plane::Lattice periods({lattice[0], lattice[1]}, {lattice[2], lattice[3]});
+        const plane::Points points = Eigen::Map<const plane::Points>(sites.data(), 2, n);
         // Refuses too many sites, and sites that coincide or lie too far away.
-        const Sites checked(periods, points);
+        const plane::Sites checked(periods, points);
         return {.lattice = periods,
                 .sites = points,
                 .weights =
                     Eigen::Map<const Eigen::VectorXd>(weights.data(), Eigen::Index(weights.size())),
-                .metric = metric.empty() ? Metric() : Metric(metric[0], metric[1])};
+                .metric = metric.empty() ? plane::Metric() : plane::Metric(metric[0], metric[1])};
     } catch (const InvalidInput& fault) {
         refuse(file, "SitePositions", fault.what());
     }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/bytes/xml_scanner.hpp"
-#include "mesher/voxels/voxel_proof.hpp"
+#include "mesher/plane/voxels/voxel_proof.hpp"
 
 namespace pcvt {
 
@@ -31,7 +31,7 @@ class CellFields {
     bool empty() const { return fields_.empty(); }
     /// @param file  its name in messages.
     /// @throws BadFile if an array is missing, or has not the numbers that its tag states.
-    VoxelCells cells(const std::string& file) const;
+    plane::VoxelCells cells(const std::string& file) const;
 
    private:
     struct Field {

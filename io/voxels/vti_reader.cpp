@@ -96,9 +96,9 @@ class VtiFile {
         if (extent[0] != 0 || extent[2] != 0 || extent[4] != 0) {
             refuse("the extent does not begin at 0; export it so");
         }
-        VoxelGrid& grid = file_.image.grid;
+        plane::VoxelGrid& grid = file_.image.grid;
         grid.counts = {count(extent[1]), count(extent[3]), count(extent[5])};
-        if (double(grid.counts.x) * grid.counts.y * grid.counts.z > kMostVoxels) {
+        if (double(grid.counts.x) * grid.counts.y * grid.counts.z > plane::kMostVoxels) {
             refuse("there are more than 2^28 voxels; give a smaller image");
         }
         grid.corner = {origin[0], origin[1]};
@@ -122,7 +122,8 @@ class VtiFile {
     }
 
     int count(double number) const {
-        if (number >= 1 && number <= kMostVoxelsOfARow && number == static_cast<int>(number)) {
+        if (number >= 1 && number <= plane::kMostVoxelsOfARow &&
+            number == static_cast<int>(number)) {
             return static_cast<int>(number);
         }
         refuse("the extent is not one of voxels from 1 to 2^20; correct it");
@@ -169,7 +170,7 @@ class VtiFile {
     }
 
     std::size_t n_in_all_layers() const {
-        const VoxelGrid& grid = file_.image.grid;
+        const plane::VoxelGrid& grid = file_.image.grid;
         return grid.n_voxels() * static_cast<std::size_t>(grid.counts.z);
     }
 
@@ -201,7 +202,7 @@ class VtiFile {
             const auto value =
                 static_cast<std::int64_t>(little_endian(std::string_view(bytes).substr(k, width)));
             // Of 32 bits, the sign is that of the highest bit.
-            const bool fits = width == 4 || (value >= 0 && value <= kMostSites);
+            const bool fits = width == 4 || (value >= 0 && value <= plane::kMostSites);
             file_.image.site.push_back(fits ? static_cast<std::int32_t>(value) : -1);
         }
     }
@@ -241,7 +242,7 @@ VoxelFile decode_vti(const std::vector<EncodedFile>& files) {
     return file;
 }
 
-VoxelProof prove_voxel_file(const std::vector<EncodedFile>& files, const VoxelFile& file) {
+plane::VoxelProof prove_voxel_file(const std::vector<EncodedFile>& files, const VoxelFile& file) {
     const SiteId most = *std::max_element(file.image.site.begin(), file.image.site.end());
     const int n_cells = file.cells       ? file.cells->n_cells()
                         : file.materials ? static_cast<int>(file.materials->size())

@@ -5,15 +5,15 @@
 
 #include "io/tiles/encoded_file.hpp"
 #include "io/voxels/damask_material.hpp"
-#include "mesher/voxels/voxel_proof.hpp"
+#include "mesher/plane/voxels/voxel_proof.hpp"
 
 namespace pcvt {
 
 /// A voxel image as read from a file, before any of it is believed.
 struct VoxelFile {
-    VoxelImage image;
+    plane::VoxelImage image;
     /// Where the file states the sites of the cells.
-    std::optional<VoxelCells> cells = {};
+    std::optional<plane::VoxelCells> cells = {};
     /// One a cell, where the materials lie beside the image.
     std::optional<std::vector<DamaskEntry>> materials = {};
 };
@@ -32,6 +32,6 @@ VoxelFile decode_vti(const std::vector<EncodedFile>& files);
 /// Proves all that a file states.
 /// @throws NotATile  as prove_voxels() and require_voxel_ids() do.
 /// @throws BadFile   the materials are not those of cells of the image.
-VoxelProof prove_voxel_file(const std::vector<EncodedFile>& files, const VoxelFile& file);
+plane::VoxelProof prove_voxel_file(const std::vector<EncodedFile>& files, const VoxelFile& file);
 
 }  // namespace pcvt

@@ -70,9 +70,9 @@ void append_array(std::string& text, const char* name, int width,
     text += "</DataArray>\n";
 }
 
-void append_field_data(std::string& text, const VoxelCells& cells) {
-    const Vec2& a = cells.lattice.a();
-    const Vec2& b = cells.lattice.b();
+void append_field_data(std::string& text, const plane::VoxelCells& cells) {
+    const plane::Vec2& a = cells.lattice.a();
+    const plane::Vec2& b = cells.lattice.b();
     text += "<FieldData>\n";
     append_array(text, "PeriodicLattice", 2, {a.x(), a.y(), b.x(), b.y()});
     append_array(text, "SitePositions", 2,
@@ -87,9 +87,9 @@ void append_field_data(std::string& text, const VoxelCells& cells) {
     text += "</FieldData>\n";
 }
 
-std::string encode_image(const VoxelImage& image, const VoxelCells& cells) {
-    const VoxelGrid& grid = image.grid;
-    const Vec2 spacing = grid.spacing();
+std::string encode_image(const plane::VoxelImage& image, const plane::VoxelCells& cells) {
+    const plane::VoxelGrid& grid = image.grid;
+    const plane::Vec2 spacing = grid.spacing();
     const std::string extent = "Extent=\"0 " + std::to_string(grid.counts.x) + " 0 " +
                                std::to_string(grid.counts.y) + " 0 " +
                                std::to_string(grid.counts.z) + '"';
@@ -121,9 +121,9 @@ std::vector<std::string> vti_paths(const std::string& path) {
     return {path, std::filesystem::path(path).replace_extension(".material.yaml").string()};
 }
 
-std::vector<EncodedFile> encode_vti(const VoxelImage& image, const VoxelCells& cells,
-                                    const CellMaterials& materials, const ElasticChoices& elastic,
-                                    const std::string& path) {
+std::vector<EncodedFile> encode_vti(const plane::VoxelImage& image, const plane::VoxelCells& cells,
+                                    const plane::CellMaterials& materials,
+                                    const plane::ElasticChoices& elastic, const std::string& path) {
     const std::vector<std::string> paths = vti_paths(path);
     std::vector<EncodedFile> files = only_file(paths[0], encode_image(image, cells));
     files.push_back({paths[1], encode_damask_material(cells.n_cells(), materials, elastic)});

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/materials/elastic_choices.hpp"
-#include "mesher/voxels/voxel_proof.hpp"
+#include "mesher/plane/materials/elastic_choices.hpp"
+#include "mesher/plane/voxels/voxel_proof.hpp"
 
 namespace pcvt {
 
@@ -22,8 +22,8 @@ std::vector<std::string> vti_paths(const std::string& path);
 ///     for (const EncodedFile& file : encode_vti(image, cells, materials, {}, "tile.vti")) {
 ///         outputs.stage(file.path, file.bytes);
 ///     }
-std::vector<EncodedFile> encode_vti(const VoxelImage& image, const VoxelCells& cells,
-                                    const CellMaterials& materials, const ElasticChoices& elastic,
-                                    const std::string& path);
+std::vector<EncodedFile> encode_vti(const plane::VoxelImage& image, const plane::VoxelCells& cells,
+                                    const plane::CellMaterials& materials,
+                                    const plane::ElasticChoices& elastic, const std::string& path);
 
 }  // namespace pcvt

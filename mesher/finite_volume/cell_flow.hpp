@@ -4,7 +4,7 @@
 
 #include "mesher/finite_volume/decaying_flow.hpp"
 #include "mesher/finite_volume/extruded_mesh.hpp"
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -21,7 +21,7 @@ namespace pcvt {
 ///   (3) The velocity and the tracer are 0 everywhere if and only if `at_rest`.
 struct CellFlow {
     /// The velocity at the centroid of each cell, without walls less the mean, length / second.
-    std::vector<Vec2> velocity = {};
+    std::vector<plane::Vec2> velocity = {};
     /// The stream function at the centroid of each cell less the mean, divided by its largest
     /// value. The flow carries it along its own contours, so it decays by diffusion alone, as
     /// exp(-D rate t) with the diffusivity D and the rate of the flow, as long as the flow
@@ -46,6 +46,6 @@ struct CellFlow {
 ///   const double time_step = 0.5 / cells.courant_rate;
 ///
 /// @param extruded  extruded_mesh(tile), whose upright faces and patches name the neighbours.
-CellFlow cell_flow(const DecayingFlow& flow, const Tile& tile, const ExtrudedMesh& extruded);
+CellFlow cell_flow(const DecayingFlow& flow, const plane::Tile& tile, const ExtrudedMesh& extruded);
 
 }  // namespace pcvt

@@ -17,39 +17,39 @@ double square(double value) { return value * value; }
 
 }  // namespace
 
-DecayingFlow::DecayingFlow(const Lattice& lattice, Walls walls) {
-    if (walls == Walls::kNone) {
+DecayingFlow::DecayingFlow(const plane::Lattice& lattice, plane::Walls walls) {
+    if (walls == plane::Walls::kNone) {
         choose_periodic(lattice);
     } else {
         choose_between(lattice, walls);
     }
 }
 
-void DecayingFlow::choose_periodic(const Lattice& lattice) {
-    const Lattice basis = reduce(lattice).reduced;
-    const Vec2& a = basis.a();
-    const Vec2& b = basis.b();
+void DecayingFlow::choose_periodic(const plane::Lattice& lattice) {
+    const plane::Lattice basis = reduce(lattice).reduced;
+    const plane::Vec2& a = basis.a();
+    const plane::Vec2& b = basis.b();
     const double per_area = 2 * std::numbers::pi / basis.area();
-    g1_ = per_area * Vec2(b.y(), -b.x());
-    g2_ = per_area * Vec2(-a.y(), a.x());
+    g1_ = per_area * plane::Vec2(b.y(), -b.x());
+    g2_ = per_area * plane::Vec2(-a.y(), a.x());
     const bool rectangular = std::abs(a.normalized().dot(b.normalized())) < kRectangular;
     shape_ = rectangular ? Shape::kVortices : Shape::kShear;
     fastest_ = rectangular ? g1_.norm() : g2_.norm();
 }
 
-void DecayingFlow::choose_between(const Lattice& domain, Walls walls) {
-    g1_ = Vec2(std::numbers::pi / side_length(domain, 0), 0);
-    g2_ = Vec2(0, std::numbers::pi / side_length(domain, 1));
-    shape_ = walls == Walls::kXY ? Shape::kBox : Shape::kShear;
-    if (walls == Walls::kX) g2_ = g1_;
-    if (walls == Walls::kY) sign_ = -1;
+void DecayingFlow::choose_between(const plane::Lattice& domain, plane::Walls walls) {
+    g1_ = plane::Vec2(std::numbers::pi / side_length(domain, 0), 0);
+    g2_ = plane::Vec2(0, std::numbers::pi / side_length(domain, 1));
+    shape_ = walls == plane::Walls::kXY ? Shape::kBox : Shape::kShear;
+    if (walls == plane::Walls::kX) g2_ = g1_;
+    if (walls == plane::Walls::kY) sign_ = -1;
     fastest_ = shape_ == Shape::kBox ? std::max(g1_.norm(), g2_.norm()) : g2_.norm();
 }
 
-Vec2 DecayingFlow::velocity(const Vec2& p) const {
+plane::Vec2 DecayingFlow::velocity(const plane::Vec2& p) const {
     const double first = g1_.dot(p);
     const double second = g2_.dot(p);
-    Vec2 gradient = -portable_sin(second) * g2_;
+    plane::Vec2 gradient = -portable_sin(second) * g2_;
     if (shape_ == Shape::kVortices) {
         gradient = -portable_sin(first) * portable_cos(second) * g1_ -
                    portable_cos(first) * portable_sin(second) * g2_;
@@ -57,10 +57,10 @@ Vec2 DecayingFlow::velocity(const Vec2& p) const {
         gradient = portable_sin(2 * first) * square(portable_sin(second)) * g1_ +
                    square(portable_sin(first)) * portable_sin(2 * second) * g2_;
     }
-    return sign_ * Vec2(gradient.y(), -gradient.x()) / fastest_;
+    return sign_ * plane::Vec2(gradient.y(), -gradient.x()) / fastest_;
 }
 
-double DecayingFlow::stream(const Vec2& p) const {
+double DecayingFlow::stream(const plane::Vec2& p) const {
     double value = portable_cos(g2_.dot(p));
     if (shape_ == Shape::kVortices) value *= portable_cos(g1_.dot(p));
     if (shape_ == Shape::kBox) value = square(portable_sin(g1_.dot(p)) * portable_sin(g2_.dot(p)));

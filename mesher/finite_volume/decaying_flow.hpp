@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/lattice/walls.hpp"
+#include "mesher/plane/geometry/walls.hpp"
 
 namespace pcvt {
 
@@ -35,11 +35,11 @@ class DecayingFlow {
    public:
     /// @pre with walls, is_upright(lattice).
     /// @throws InvalidInput as reduce().
-    explicit DecayingFlow(const Lattice& lattice, Walls walls = Walls::kNone);
+    explicit DecayingFlow(const plane::Lattice& lattice, plane::Walls walls = plane::Walls::kNone);
 
-    Vec2 velocity(const Vec2& p) const;
+    plane::Vec2 velocity(const plane::Vec2& p) const;
     /// Returns psi(p), length^2 / second.
-    double stream(const Vec2& p) const;
+    double stream(const plane::Vec2& p) const;
     double largest_stream() const { return 1 / fastest_; }
     /// Returns the mean of |u|^2 over the domain.
     double mean_square_speed() const;
@@ -54,11 +54,11 @@ class DecayingFlow {
     /// psi is a product of cosines, the cosine of g2_ . x, or a product of squared sines.
     enum class Shape { kVortices, kShear, kBox };
 
-    void choose_periodic(const Lattice& lattice);
-    void choose_between(const Lattice& domain, Walls walls);
+    void choose_periodic(const plane::Lattice& lattice);
+    void choose_between(const plane::Lattice& domain, plane::Walls walls);
 
-    Vec2 g1_;
-    Vec2 g2_;
+    plane::Vec2 g1_;
+    plane::Vec2 g2_;
     Shape shape_;
     double sign_ = 1;
     /// The length of the wave vector across which the velocity is 1.

@@ -132,11 +132,11 @@ std::vector<int> lids(const ExtrudedMesh& extruded, const ExtrudedPatch& patch) 
     return lid;
 }
 
-void read_faces(const ExtrudedMesh& extruded, Tile& tile) {
+void read_faces(const ExtrudedMesh& extruded, plane::Tile& tile) {
     const int above = extruded.n_points() / 2;
     // Find the two lids of each cell.
-    const std::vector<int> back = lids(extruded, patch_named(extruded, kBackPatch));
-    const std::vector<int> front = lids(extruded, patch_named(extruded, kFrontPatch));
+    const std::vector<int> back = lids(extruded, patch_named(extruded, plane::kBackPatch));
+    const std::vector<int> front = lids(extruded, patch_named(extruded, plane::kFrontPatch));
     const int n_cells = *std::max_element(extruded.owner.begin(), extruded.owner.end()) + 1;
     if (back.size() != front.size() || static_cast<int>(back.size()) != n_cells) {
         throw_violation(kOrder, "back and front have " + to_string(back.size()) + " and " +
@@ -188,7 +188,7 @@ Foot foot_of(const ExtrudedMesh& extruded, int f) {
 /// Records which sides of the tile have a face above them.
 class CoveredSides {
    public:
-    explicit CoveredSides(const Tile& tile)
+    explicit CoveredSides(const plane::Tile& tile)
         : tile_(tile), covered_(tile.faces.corners.size(), false) {}
 
     /// @param f  the face above the side, for the message.
@@ -213,15 +213,15 @@ class CoveredSides {
     }
 
    private:
-    const Tile& tile_;
+    const plane::Tile& tile_;
     std::vector<bool> covered_;
 };
 
 void require_translation(const ExtrudedMesh& extruded, const ExtrudedPatch& patch) {
-    const Vec2 translation = extruded.lattice.translation(patch.offset);
+    const plane::Vec2 translation = extruded.lattice.translation(patch.offset);
     const double allowed = kTranslationUlps * std::numeric_limits<double>::epsilon() *
                            translation.cwiseAbs().maxCoeff();
-    if (patch.name != seam_name(patch.offset) || patch.offset == Offset{} ||
+    if (patch.name != seam_name(patch.offset) || patch.offset == plane::Offset{} ||
         !((patch.separation - translation).cwiseAbs().maxCoeff() <= allowed)) {
         throw_violation(kSeams, "patch " + patch.name + " states a separation other than " +
                                     offset_in_words(patch.offset));
@@ -230,7 +230,7 @@ void require_translation(const ExtrudedMesh& extruded, const ExtrudedPatch& patc
 
 /// Appends the edge pairs under a patch and its partner, seen from the patch with the positive
 /// offset.
-void read_seam(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& tile) {
+void read_seam(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, plane::Tile& tile) {
     const ExtrudedPatch& partner = extruded.patches[patch.partner];
     if (partner.partner != &patch - extruded.patches.data() || partner.offset != -patch.offset ||
         partner.n_faces != patch.n_faces) {
@@ -238,7 +238,7 @@ void read_seam(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& t
             kSeams, "patches " + patch.name + " and " + partner.name + " do not match each other");
     }
     require_translation(extruded, patch);
-    if (patch.offset < Offset{}) return;
+    if (patch.offset < plane::Offset{}) return;
     for (int k = 0; k < patch.n_faces; ++k) {
         const Foot here = foot_of(extruded, patch.first_face + k);
         const Foot there = foot_of(extruded, partner.first_face + k);
@@ -253,8 +253,9 @@ void read_seam(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& t
 }
 
 /// Appends the edges under a patch of a hole.
-void read_hole(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& tile) {
-    if (*patch.wall != WallId::hole(static_cast<int>(tile.holes.size())) || patch.partner >= 0) {
+void read_hole(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, plane::Tile& tile) {
+    if (*patch.wall != plane::WallId::hole(static_cast<int>(tile.holes.size())) ||
+        patch.partner >= 0) {
         throw_violation(kWallPatches, "patch " + patch.name + " is not the next hole");
     }
     tile.holes.push_back(patch.name);
@@ -265,12 +266,12 @@ void read_hole(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& t
 }
 
 /// Appends the edges under a patch of a wall, which lie there exactly.
-void read_wall(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& tile) {
+void read_wall(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, plane::Tile& tile) {
     if (patch.wall->is_hole()) {
         read_hole(extruded, patch, tile);
         return;
     }
-    const WallSideRow& row = wall_side_row(patch.wall->side());
+    const plane::WallSideRow& row = wall_side_row(patch.wall->side());
     if (patch.name != row.word || patch.partner >= 0) {
         throw_violation(kWallPatches, "patch " + patch.name + " is not the wall " + row.word);
     }
@@ -289,16 +290,18 @@ void read_wall(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, Tile& t
 }
 
 /// Returns the walls on which edges lie, and sorts these.
-Walls walls_of(Tile& tile) {
+plane::Walls walls_of(plane::Tile& tile) {
     std::sort(tile.wall_edges.begin(), tile.wall_edges.end());
-    std::array<bool, kWallSides.size()> found{};
-    for (const WallEdge& edge : tile.wall_edges) {
+    std::array<bool, plane::kWallSides.size()> found{};
+    for (const plane::WallEdge& edge : tile.wall_edges) {
         if (!edge.wall.is_hole()) found[static_cast<std::size_t>(edge.wall.number)] = true;
     }
-    for (const WallsRow& row : kWalls) {
-        if (std::all_of(kWallSides.begin(), kWallSides.end(), [&](const WallSideRow& side) {
-                return found[static_cast<std::size_t>(side.side)] == row.across[side.axis];
-            })) {
+    for (const plane::WallsRow& row : plane::kWalls) {
+        if (std::all_of(plane::kWallSides.begin(), plane::kWallSides.end(),
+                        [&](const plane::WallSideRow& side) {
+                            return found[static_cast<std::size_t>(side.side)] ==
+                                   row.across[side.axis];
+                        })) {
             return row.walls;
         }
     }
@@ -307,14 +310,14 @@ Walls walls_of(Tile& tile) {
 
 }  // namespace
 
-Tile extruded_base(const ExtrudedMesh& extruded) {
+plane::Tile extruded_base(const ExtrudedMesh& extruded) {
     // Check indices, patches, order and planes.
     require_indices(extruded);
     require_runs(extruded);
     require_inner_order(extruded);
     require_planes(extruded);
     // Read the faces of the tile.
-    Tile tile{.lattice = extruded.lattice, .kind = extruded.kind};
+    plane::Tile tile{.lattice = extruded.lattice, .kind = extruded.kind};
     for (int v = 0; v < extruded.n_points() / 2; ++v)
         tile.points.emplace_back(extruded.points[v].head<2>());
     read_faces(extruded, tile);

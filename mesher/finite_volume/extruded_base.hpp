@@ -18,6 +18,6 @@ namespace pcvt {
 /// ExtrudedMesh hold, under their numbers. The others then prove that the faces are a tile, the
 /// edge pairs its seam, and the edges on walls all of them.
 /// @throws NotATile naming the law and the face, point or patch (from 0).
-Tile extruded_base(const ExtrudedMesh& extruded);
+plane::Tile extruded_base(const ExtrudedMesh& extruded);
 
 }  // namespace pcvt

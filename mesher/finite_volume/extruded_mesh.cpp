@@ -23,7 +23,7 @@ bool edge_less(const Side& s, const Side& t) {
     return std::tuple(std::minmax(s.v, s.w), s.face) < std::tuple(std::minmax(t.v, t.w), t.face);
 }
 
-std::vector<Side> sides_by_edge(const Tile& tile) {
+std::vector<Side> sides_by_edge(const plane::Tile& tile) {
     std::vector<Side> sides;
     sides.reserve(tile.faces.corners.size());
     for (int f = 0; f < tile.n_faces(); ++f) {
@@ -86,7 +86,7 @@ class ExtrudedFaces {
         add({w, w + above_, v + above_, v}, owner);
     }
 
-    void add_lids(const Tile& tile, bool front) {
+    void add_lids(const plane::Tile& tile, bool front) {
         for (int f = 0; f < tile.n_faces(); ++f) {
             checkpoint_each(f);
             std::vector<int> points(tile.faces[f].begin(), tile.faces[f].end());
@@ -109,18 +109,18 @@ class ExtrudedFaces {
     int above_;
 };
 
-void add_points(const Tile& tile, double thickness, ExtrudedMesh& extruded) {
+void add_points(const plane::Tile& tile, double thickness, ExtrudedMesh& extruded) {
     if (thickness == 0) thickness = std::sqrt(tile.lattice.area() / tile.n_faces());
     for (const double z : {0.0, thickness}) {
-        for (const Vec2& p : tile.points) extruded.points.emplace_back(p.x(), p.y(), z);
+        for (const plane::Vec2& p : tile.points) extruded.points.emplace_back(p.x(), p.y(), z);
     }
 }
 
 /// Adds the two patches of the pairs from `begin` to `end`, which share one offset.
-void add_seam(const std::vector<EdgePair>& pairs, std::size_t begin, std::size_t end,
+void add_seam(const std::vector<plane::EdgePair>& pairs, std::size_t begin, std::size_t end,
               const std::vector<Side>& sides, ExtrudedMesh& extruded) {
-    const Offset offset = pairs[begin].offset;
-    const Vec2 translation = extruded.lattice.translation(offset);
+    const plane::Offset offset = pairs[begin].offset;
+    const plane::Vec2 translation = extruded.lattice.translation(offset);
     const int n = static_cast<int>(end - begin);
     const int patch = static_cast<int>(extruded.patches.size());
     ExtrudedFaces faces(extruded);
@@ -145,12 +145,12 @@ void add_seam(const std::vector<EdgePair>& pairs, std::size_t begin, std::size_t
     }
 }
 
-void add_seams(const Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& extruded) {
-    std::vector<EdgePair> pairs;
-    for (const EdgePair& pair : tile.edge_pairs) {
-        pairs.push_back(pair.offset < Offset{} ? pair.reversed() : pair);
+void add_seams(const plane::Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& extruded) {
+    std::vector<plane::EdgePair> pairs;
+    for (const plane::EdgePair& pair : tile.edge_pairs) {
+        pairs.push_back(pair.offset < plane::Offset{} ? pair.reversed() : pair);
     }
-    std::sort(pairs.begin(), pairs.end(), [](const EdgePair& s, const EdgePair& t) {
+    std::sort(pairs.begin(), pairs.end(), [](const plane::EdgePair& s, const plane::EdgePair& t) {
         return std::tie(s.offset, s) < std::tie(t.offset, t);
     });
     for (std::size_t begin = 0; begin < pairs.size();) {
@@ -162,16 +162,16 @@ void add_seams(const Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& e
 }
 
 /// Adds one patch for each wall, whose edges follow each other in the tile.
-void add_walls(const Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& extruded) {
+void add_walls(const plane::Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& extruded) {
     ExtrudedFaces faces(extruded);
-    for (const WallEdge& edge : tile.wall_edges) {
+    for (const plane::WallEdge& edge : tile.wall_edges) {
         if (extruded.patches.empty() || extruded.patches.back().wall != edge.wall) {
             extruded.patches.push_back({.name = wall_name(tile, edge.wall),
                                         .first_face = extruded.n_faces(),
                                         .n_faces = 0,
                                         .partner = -1,
                                         .offset = {},
-                                        .separation = Vec2(0, 0),
+                                        .separation = plane::Vec2(0, 0),
                                         .wall = edge.wall});
         }
         faces.add_upright(edge.v0, edge.v1, face_beside(sides, edge.v0, edge.v1));
@@ -181,7 +181,7 @@ void add_walls(const Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& e
 
 }  // namespace
 
-ExtrudedMesh extruded_mesh(const Tile& tile, double thickness) {
+ExtrudedMesh extruded_mesh(const plane::Tile& tile, double thickness) {
     ExtrudedMesh extruded{.lattice = tile.lattice, .kind = tile.kind};
     add_points(tile, thickness, extruded);
     const std::vector<Side> sides = sides_by_edge(tile);
@@ -193,12 +193,13 @@ ExtrudedMesh extruded_mesh(const Tile& tile, double thickness) {
     add_seams(tile, sides, extruded);
     add_walls(tile, sides, extruded);
     for (const bool front : {false, true}) {
-        extruded.patches.push_back({.name = std::string(front ? kFrontPatch : kBackPatch),
-                                    .first_face = extruded.n_faces(),
-                                    .n_faces = tile.n_faces(),
-                                    .partner = -1,
-                                    .offset = {},
-                                    .separation = Vec2(0, 0)});
+        extruded.patches.push_back(
+            {.name = std::string(front ? plane::kFrontPatch : plane::kBackPatch),
+             .first_face = extruded.n_faces(),
+             .n_faces = tile.n_faces(),
+             .partner = -1,
+             .offset = {},
+             .separation = plane::Vec2(0, 0)});
         faces.add_lids(tile, front);
     }
     return extruded;

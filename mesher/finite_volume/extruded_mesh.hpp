@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
@@ -17,11 +17,11 @@ struct ExtrudedPatch {
     /// The patch whose face i matches face i of this patch; -1 for the others.
     int partner;
     /// (I, J): the partner's faces are the faces of this patch plus the translation.
-    Offset offset;
+    plane::Offset offset;
     /// The stored value of that translation, length units.
-    Vec2 separation;
+    plane::Vec2 separation;
     /// Of walls and holes. Holes are counted in the order of their patches.
-    std::optional<WallId> wall = {};
+    std::optional<plane::WallId> wall = {};
 };
 
 /// A tile extruded to one layer of prisms, with faces in the order that finite-volume solvers
@@ -38,8 +38,8 @@ struct ExtrudedPatch {
 ///   (4) Each wall of the tile is one patch with its name, and so are the holes of one name. Its
 ///       faces are those above the edges on that wall.
 struct ExtrudedMesh {
-    Lattice lattice;
-    MeshKind kind;
+    plane::Lattice lattice;
+    plane::MeshKind kind;
     /// Positions, length units.
     std::vector<Eigen::Vector3d> points = {};
     /// On these points.
@@ -64,6 +64,6 @@ struct ExtrudedMesh {
 /// The seam becomes one pair of patches per translation, "seam_I_J" before "seam_-I_-J", where (I,
 /// J) > 0. The patches of the walls follow in the order of kWallSides, then those of the holes in
 /// the order of Tile::holes, then "back" and "front".
-ExtrudedMesh extruded_mesh(const Tile& tile, double thickness = 0);
+ExtrudedMesh extruded_mesh(const plane::Tile& tile, double thickness = 0);
 
 }  // namespace pcvt

@@ -8,7 +8,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/lattice/polygon.hpp"
+#include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt {
@@ -22,7 +22,7 @@ constexpr double kRightAngle = 1e-9;
 /// The cells of the domain as halfedges in the frames of their faces.
 class Halfedges {
    public:
-    explicit Halfedges(const PeriodicMesh& cells)
+    explicit Halfedges(const plane::PeriodicMesh& cells)
         : cells_(cells), edge_(static_cast<std::size_t>(cells.n_corners())) {
         for (int h = 0; h < cells.n_corners(); ++h) {
             checkpoint_each(h);
@@ -42,18 +42,18 @@ class Halfedges {
     int opposite(int h) const { return cells_.opposite[h]; }
     int vertex(int h) const { return cells_.corner_vertex[h]; }
 
-    Vec2 site(int h) const { return cells_.site_points[cell(h)]; }
+    plane::Vec2 site(int h) const { return cells_.site_points[cell(h)]; }
     /// Returns the vector from the site of the cell of h to the site of the cell across.
-    Vec2 to_neighbour(int h) const {
+    plane::Vec2 to_neighbour(int h) const {
         return cells_.site_points[cell(opposite(h))] +
                cells_.lattice.translation(cells_.frame_across(h)) - site(h);
     }
     /// Returns the vector from the site of the cell of h to the vertex that h leaves.
-    Vec2 to_vertex(int h) const { return cells_.point(h) - site(h); }
-    Vec2 along(int h) const { return to_vertex(next(h)) - to_vertex(h); }
+    plane::Vec2 to_vertex(int h) const { return cells_.point(h) - site(h); }
+    plane::Vec2 along(int h) const { return to_vertex(next(h)) - to_vertex(h); }
 
    private:
-    const PeriodicMesh& cells_;
+    const plane::PeriodicMesh& cells_;
     std::vector<int> edge_;
     int n_edges_ = 0;
 };
@@ -70,7 +70,7 @@ double triangle_cosine(const Halfedges& edges, int h) {
         edges.to_neighbour(edges.previous(h)).normalized());
 }
 
-void require_acute(const PeriodicMesh& cells, const Halfedges& edges) {
+void require_acute(const plane::PeriodicMesh& cells, const Halfedges& edges) {
     int worst = -1;
     double smallest = kRightAngle;
     for (int h = 0; h < cells.n_corners(); ++h) {
@@ -88,11 +88,11 @@ void require_acute(const PeriodicMesh& cells, const Halfedges& edges) {
         degrees(smallest) + " degrees at the first, and MPAS needs acute triangles");
 }
 
-void require_near_neighbours(const PeriodicMesh& cells, const Halfedges& edges,
-                             const Vec2& periods) {
+void require_near_neighbours(const plane::PeriodicMesh& cells, const Halfedges& edges,
+                             const plane::Vec2& periods) {
     for (int h = 0; h < cells.n_corners(); ++h) {
         checkpoint_each(h);
-        const Vec2 part = edges.to_neighbour(h).cwiseAbs().cwiseQuotient(periods);
+        const plane::Vec2 part = edges.to_neighbour(h).cwiseAbs().cwiseQuotient(periods);
         if (part.maxCoeff() < 0.5) continue;
         throw InvalidInput("the cells of sites " + to_string(cells.site[edges.cell(h)]) + " and " +
                            to_string(cells.site[edges.cell(edges.opposite(h))]) +
@@ -104,8 +104,9 @@ void require_near_neighbours(const PeriodicMesh& cells, const Halfedges& edges,
 /// Moves points into the domain at `origin`.
 class Wrapping {
    public:
-    Wrapping(const Vec2& origin, const Vec2& periods) : origin_(origin), periods_(periods) {}
-    void append(const Vec2& p, std::vector<double>& x, std::vector<double>& y) const {
+    Wrapping(const plane::Vec2& origin, const plane::Vec2& periods)
+        : origin_(origin), periods_(periods) {}
+    void append(const plane::Vec2& p, std::vector<double>& x, std::vector<double>& y) const {
         x.push_back(wrapped(p.x(), origin_.x(), periods_.x()));
         y.push_back(wrapped(p.y(), origin_.y(), periods_.y()));
     }
@@ -116,14 +117,15 @@ class Wrapping {
         // Rounding may leave the coordinate on or beyond the far side.
         return moved >= origin + period ? moved - period : std::max(moved, origin);
     }
-    Vec2 origin_;
-    Vec2 periods_;
+    plane::Vec2 origin_;
+    plane::Vec2 periods_;
 };
 
-void place_points(const PeriodicMesh& cells, const Halfedges& edges, const Wrapping& wrapping,
-                  MpasGrid& grid) {
-    for (const Vec2& site : cells.site_points) wrapping.append(site, grid.x_cell, grid.y_cell);
-    for (const Vec2& v : cells.vertices) wrapping.append(v, grid.x_vertex, grid.y_vertex);
+void place_points(const plane::PeriodicMesh& cells, const Halfedges& edges,
+                  const Wrapping& wrapping, MpasGrid& grid) {
+    for (const plane::Vec2& site : cells.site_points)
+        wrapping.append(site, grid.x_cell, grid.y_cell);
+    for (const plane::Vec2& v : cells.vertices) wrapping.append(v, grid.x_vertex, grid.y_vertex);
     for (int h = 0; h < cells.n_corners(); ++h) {
         checkpoint_each(h);
         if (!edges.first(h)) continue;
@@ -131,7 +133,7 @@ void place_points(const PeriodicMesh& cells, const Halfedges& edges, const Wrapp
     }
 }
 
-void fill_cells(const PeriodicMesh& cells, const Halfedges& edges, MpasGrid& grid) {
+void fill_cells(const plane::PeriodicMesh& cells, const Halfedges& edges, MpasGrid& grid) {
     const std::size_t size = static_cast<std::size_t>(grid.n_cells) * grid.max_edges;
     for (auto* table : {&grid.cells_on_cell, &grid.edges_on_cell, &grid.vertices_on_cell}) {
         table->assign(size, -1);
@@ -148,12 +150,12 @@ void fill_cells(const PeriodicMesh& cells, const Halfedges& edges, MpasGrid& gri
     }
 }
 
-void fill_edges(const PeriodicMesh& cells, const Halfedges& edges, MpasGrid& grid) {
+void fill_edges(const plane::PeriodicMesh& cells, const Halfedges& edges, MpasGrid& grid) {
     for (int h = 0; h < cells.n_corners(); ++h) {
         checkpoint_each(h);
         if (!edges.first(h)) continue;
         const int across = edges.opposite(h);
-        const Vec2 normal = edges.to_neighbour(h);
+        const plane::Vec2 normal = edges.to_neighbour(h);
         grid.cells_on_edge.insert(grid.cells_on_edge.end(), {edges.cell(h), edges.cell(across)});
         grid.vertices_on_edge.insert(grid.vertices_on_edge.end(),
                                      {edges.vertex(h), edges.vertex(across)});
@@ -165,20 +167,20 @@ void fill_edges(const PeriodicMesh& cells, const Halfedges& edges, MpasGrid& gri
 
 /// Returns for each halfedge the area of the kite between its vertex, the site of its cell and the
 /// midpoints of the two dual edges at the vertex.
-std::vector<double> kite_areas(const PeriodicMesh& cells, const Halfedges& edges) {
+std::vector<double> kite_areas(const plane::PeriodicMesh& cells, const Halfedges& edges) {
     std::vector<double> kites;
     kites.reserve(cells.corner_vertex.size());
     for (int h = 0; h < cells.n_corners(); ++h) {
         checkpoint_each(h);
-        const Vec2 vertex = edges.to_vertex(h);
-        const Vec2 before = edges.to_neighbour(edges.previous(h)) / 2;
-        const Vec2 after = edges.to_neighbour(h) / 2;
-        kites.push_back((cross(before, vertex) + cross(vertex, after)) / 2);
+        const plane::Vec2 vertex = edges.to_vertex(h);
+        const plane::Vec2 before = edges.to_neighbour(edges.previous(h)) / 2;
+        const plane::Vec2 after = edges.to_neighbour(h) / 2;
+        kites.push_back((plane::cross(before, vertex) + plane::cross(vertex, after)) / 2);
     }
     return kites;
 }
 
-void fill_vertices(const PeriodicMesh& cells, const Halfedges& edges,
+void fill_vertices(const plane::PeriodicMesh& cells, const Halfedges& edges,
                    const std::vector<double>& kites, MpasGrid& grid) {
     std::vector<int> leaving(static_cast<std::size_t>(grid.n_vertices), -1);
     for (int h = cells.n_corners(); h-- > 0;) leaving[edges.vertex(h)] = h;
@@ -216,7 +218,7 @@ void append_weights(const Halfedges& edges, int h, const std::vector<double>& ki
     }
 }
 
-void fill_weights(const PeriodicMesh& cells, const Halfedges& edges,
+void fill_weights(const plane::PeriodicMesh& cells, const Halfedges& edges,
                   const std::vector<double>& kites, MpasGrid& grid) {
     const std::size_t row = 2 * static_cast<std::size_t>(grid.max_edges);
     grid.edges_on_edge.assign(row * grid.n_edges, -1);
@@ -234,10 +236,10 @@ void fill_weights(const PeriodicMesh& cells, const Halfedges& edges,
 
 }  // namespace
 
-Vec2 rectangular_periods(const Lattice& lattice) {
-    const Lattice reduced = reduce(lattice).reduced;
-    const Vec2 a = reduced.a().cwiseAbs();
-    const Vec2 b = reduced.b().cwiseAbs();
+plane::Vec2 rectangular_periods(const plane::Lattice& lattice) {
+    const plane::Lattice reduced = reduce(lattice).reduced;
+    const plane::Vec2 a = reduced.a().cwiseAbs();
+    const plane::Vec2 b = reduced.b().cwiseAbs();
     if (a.y() <= kRightAngle * a.x() && b.x() <= kRightAngle * b.y()) return {a.x(), b.y()};
     if (a.x() <= kRightAngle * a.y() && b.y() <= kRightAngle * b.x()) return {b.x(), a.y()};
     throw InvalidInput(
@@ -246,9 +248,9 @@ Vec2 rectangular_periods(const Lattice& lattice) {
         "rectangular");
 }
 
-MpasGrid mpas_grid(const PeriodicMesh& cells, const Vec2& origin) {
+MpasGrid mpas_grid(const plane::PeriodicMesh& cells, const plane::Vec2& origin) {
     // Check that MPAS supports the mesh.
-    const Vec2 periods = rectangular_periods(cells.lattice);
+    const plane::Vec2 periods = rectangular_periods(cells.lattice);
     const Halfedges edges(cells);
     require_acute(cells, edges);
     require_near_neighbours(cells, edges, periods);

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "mesher/base/error.hpp"
-#include "mesher/mesh/periodic_mesh.hpp"
+#include "mesher/plane/mesh/periodic_mesh.hpp"
 
 namespace pcvt {
 
@@ -77,7 +77,7 @@ double mean_density(const MpasGrid& grid);
 
 /// Returns the periods along x and y of a rectangular lattice, given in any basis.
 /// @throws InvalidInput for any other lattice.
-Vec2 rectangular_periods(const Lattice& lattice);
+plane::Vec2 rectangular_periods(const plane::Lattice& lattice);
 
 /// The cells of these sites do not suit an output; the cells of other sites may.
 class UnsuitableCells : public InvalidInput {
@@ -97,7 +97,7 @@ class UnsuitableCells : public InvalidInput {
 ///         it, and a kite would be negative. The message names the worst triangle.
 /// @throws InvalidInput if the lattice is not rectangular, or if neighbours lie half a period
 ///         apart, so that the nearest image is ambiguous.
-MpasGrid mpas_grid(const PeriodicMesh& cells, const Vec2& origin);
+MpasGrid mpas_grid(const plane::PeriodicMesh& cells, const plane::Vec2& origin);
 
 /// Sets the Coriolis parameter of cells, edges and vertices from their positions.
 void fill_coriolis(const Coriolis& coriolis, MpasGrid& grid);

@@ -10,7 +10,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
 #include "mesher/finite_volume/mpas_tables_proof.hpp"
-#include "mesher/lattice/polygon.hpp"
+#include "mesher/plane/geometry/polygon.hpp"
 
 namespace pcvt {
 namespace {
@@ -49,17 +49,17 @@ double angle_between(double a, double b) {
 /// Returns the largest deviation of the stored geometry of edge e from its cells and vertices, a
 /// length.
 double edge_deviation(const MpasGrid& g, const MpasRows& rows, int e) {
-    const Vec2 here = rows.cell(rows.cell_of_edge(e, 0));
-    const Vec2 normal = rows.between(here, rows.cell(rows.cell_of_edge(e, 1)));
-    const Vec2 start = rows.vertex(rows.vertex_of_edge(e, 0));
-    const Vec2 tangent = rows.between(start, rows.vertex(rows.vertex_of_edge(e, 1)));
-    const Vec2 unit = normal.normalized();
-    const double turned = cross(unit, tangent);
+    const plane::Vec2 here = rows.cell(rows.cell_of_edge(e, 0));
+    const plane::Vec2 normal = rows.between(here, rows.cell(rows.cell_of_edge(e, 1)));
+    const plane::Vec2 start = rows.vertex(rows.vertex_of_edge(e, 0));
+    const plane::Vec2 tangent = rows.between(start, rows.vertex(rows.vertex_of_edge(e, 1)));
+    const plane::Vec2 unit = normal.normalized();
+    const double turned = plane::cross(unit, tangent);
     return std::max(
         {std::abs(normal.norm() - g.dc_edge[e]), std::abs(turned - g.dv_edge[e]),
          std::abs(unit.dot(tangent)),
          angle_between(std::atan2(normal.y(), normal.x()), g.angle_edge[e]) * normal.norm(),
-         rows.between(Vec2(here + normal / 2), rows.edge(e)).norm(),
+         rows.between(plane::Vec2(here + normal / 2), rows.edge(e)).norm(),
          std::abs(unit.dot(rows.between(rows.edge(e), start)))});
 }
 

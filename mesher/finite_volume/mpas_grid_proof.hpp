@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mesher/finite_volume/mpas_grid.hpp"
-#include "mesher/proof/validate.hpp"
+#include "mesher/plane/proof/validate.hpp"
 
 namespace pcvt {
 

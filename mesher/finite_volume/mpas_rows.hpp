@@ -30,12 +30,12 @@ class MpasRows {
         while (j < g_.n_edges_on_cell[i] && edge_of_cell(i, j) != e) ++j;
         return j;
     }
-    Vec2 cell(int i) const { return {g_.x_cell[i], g_.y_cell[i]}; }
-    Vec2 edge(int e) const { return {g_.x_edge[e], g_.y_edge[e]}; }
-    Vec2 vertex(int v) const { return {g_.x_vertex[v], g_.y_vertex[v]}; }
+    plane::Vec2 cell(int i) const { return {g_.x_cell[i], g_.y_cell[i]}; }
+    plane::Vec2 edge(int e) const { return {g_.x_edge[e], g_.y_edge[e]}; }
+    plane::Vec2 vertex(int v) const { return {g_.x_vertex[v], g_.y_vertex[v]}; }
     /// Returns to - from for the nearest image of `to`.
-    Vec2 between(const Vec2& from, const Vec2& to) const {
-        const Vec2 d = to - from;
+    plane::Vec2 between(const plane::Vec2& from, const plane::Vec2& to) const {
+        const plane::Vec2 d = to - from;
         return {d.x() - std::round(d.x() / g_.x_period) * g_.x_period,
                 d.y() - std::round(d.y() / g_.y_period) * g_.y_period};
     }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/density/density_breaks.hpp"
+#include "mesher/plane/density/density_breaks.hpp"
 #include "plugin/job/job_density.hpp"
 
 namespace pcvt::abi {
@@ -18,9 +18,9 @@ class HostDensity {
     HostDensity(const pcvt_options& options, const std::fenv_t& host)
         : options_(options), host_(host) {}
 
-    void operator()(std::span<const DensityPoint> points, std::span<double> rho) {
+    void operator()(std::span<const plane::DensityPoint> points, std::span<double> rho) {
         positions_.clear();
-        for (const DensityPoint& point : points) {
+        for (const plane::DensityPoint& point : points) {
             positions_.push_back(point.x);
             positions_.push_back(point.y);
         }
@@ -63,7 +63,7 @@ void set_density(const pcvt_options& options, const std::fenv_t& host, Job& job)
     }
     job.n_threads = 1;
     job.density_name = "callback";
-    const Density density{[&options, &host] { return HostDensity(options, host); }};
+    const plane::Density density{[&options, &host] { return HostDensity(options, host); }};
     job.density = with_axis_breaks(job.lattice, density);
 }
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "io/bytes/output_error.hpp"
-#include "mesher/density/density.hpp"
 #include "mesher/finite_volume/mpas_grid.hpp"
+#include "mesher/plane/density/density.hpp"
 
 namespace pcvt::abi {
 namespace {
@@ -47,7 +47,7 @@ pcvt_status note_failure(const std::exception_ptr& exception) noexcept {
         return note(PCVT_ERROR_ABI, error.what());
     } catch (const CallbackFault& error) {
         return note(PCVT_ERROR_DOMAIN, error.what());
-    } catch (const BadDensity& error) {
+    } catch (const plane::BadDensity& error) {
         return note(PCVT_ERROR_DOMAIN, error.what());
     } catch (const BadGeometry& error) {
         return note(PCVT_ERROR_GEOMETRY, error.what());

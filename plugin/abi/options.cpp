@@ -11,9 +11,9 @@ namespace pcvt::abi {
 namespace {
 
 // The numbers of the published interface never change.
-static_assert(mesh_kind_row(MeshKind::kVoronoi).abi_value == PCVT_VORONOI);
-static_assert(mesh_kind_row(MeshKind::kDelaunay).abi_value == PCVT_DELAUNAY);
-static_assert(mesh_kind_row(MeshKind::kGrains).abi_value == PCVT_GRAINS);
+static_assert(mesh_kind_row(plane::MeshKind::kVoronoi).abi_value == PCVT_VORONOI);
+static_assert(mesh_kind_row(plane::MeshKind::kDelaunay).abi_value == PCVT_DELAUNAY);
+static_assert(mesh_kind_row(plane::MeshKind::kGrains).abi_value == PCVT_GRAINS);
 static_assert(find_abi_value(kPlaneElements, PCVT_CPE)->element == PlaneElement::kStrain);
 static_assert(find_abi_value(kPlaneElements, PCVT_CPS)->element == PlaneElement::kStress);
 static_assert(find_abi_value(kSolverJobs, PCVT_JOB_ELASTIC)->job == SolverJob::kElastic);
@@ -24,37 +24,37 @@ static_assert(colouring_row(Colouring::kDensity).abi_value == PCVT_COLOUR_DENSIT
 static_assert(colouring_row(Colouring::kPhase).abi_value == PCVT_COLOUR_PHASE);
 static_assert(colouring_row(Colouring::kOrbit).abi_value == PCVT_COLOUR_ORBIT);
 static_assert(colouring_row(Colouring::kTag).abi_value == PCVT_COLOUR_TAG);
-static_assert(solver_row(Solver::kLbfgs).abi_value == PCVT_SOLVER_LBFGS);
-static_assert(solver_row(Solver::kLloyd).abi_value == PCVT_SOLVER_LLOYD);
-static_assert(solver_row(Solver::kNewton).abi_value == PCVT_SOLVER_NEWTON);
-static_assert(find_word(kPlaneGroups, "p1")->abi_value == PCVT_SYMMETRY_P1);
-static_assert(find_word(kPlaneGroups, "p2")->abi_value == PCVT_SYMMETRY_P2);
-static_assert(find_word(kPlaneGroups, "pm")->abi_value == PCVT_SYMMETRY_PM);
-static_assert(find_word(kPlaneGroups, "pg")->abi_value == PCVT_SYMMETRY_PG);
-static_assert(find_word(kPlaneGroups, "cm")->abi_value == PCVT_SYMMETRY_CM);
-static_assert(find_word(kPlaneGroups, "pmm")->abi_value == PCVT_SYMMETRY_PMM);
-static_assert(find_word(kPlaneGroups, "pmg")->abi_value == PCVT_SYMMETRY_PMG);
-static_assert(find_word(kPlaneGroups, "pgg")->abi_value == PCVT_SYMMETRY_PGG);
-static_assert(find_word(kPlaneGroups, "cmm")->abi_value == PCVT_SYMMETRY_CMM);
-static_assert(find_word(kPlaneGroups, "p4")->abi_value == PCVT_SYMMETRY_P4);
-static_assert(find_word(kPlaneGroups, "p4m")->abi_value == PCVT_SYMMETRY_P4M);
-static_assert(find_word(kPlaneGroups, "p4g")->abi_value == PCVT_SYMMETRY_P4G);
-static_assert(find_word(kPlaneGroups, "p3")->abi_value == PCVT_SYMMETRY_P3);
-static_assert(find_word(kPlaneGroups, "p3m1")->abi_value == PCVT_SYMMETRY_P3M1);
-static_assert(find_word(kPlaneGroups, "p31m")->abi_value == PCVT_SYMMETRY_P31M);
-static_assert(find_word(kPlaneGroups, "p6")->abi_value == PCVT_SYMMETRY_P6);
-static_assert(find_word(kPlaneGroups, "p6m")->abi_value == PCVT_SYMMETRY_P6M);
-static_assert(walls_row(Walls::kNone).abi_value == PCVT_WALLS_NONE);
-static_assert(walls_row(Walls::kX).abi_value == PCVT_WALLS_X);
-static_assert(walls_row(Walls::kY).abi_value == PCVT_WALLS_Y);
-static_assert(walls_row(Walls::kXY).abi_value == PCVT_WALLS_XY);
-static_assert(wall_cells_row(WallCells::kWhole).abi_value == PCVT_WALL_CELLS_WHOLE);
-static_assert(wall_cells_row(WallCells::kHalf).abi_value == PCVT_WALL_CELLS_HALF);
-static_assert(WallId::side(WallSide::kLeft).number == PCVT_WALL_LEFT);
-static_assert(WallId::side(WallSide::kRight).number == PCVT_WALL_RIGHT);
-static_assert(WallId::side(WallSide::kBottom).number == PCVT_WALL_BOTTOM);
-static_assert(WallId::side(WallSide::kTop).number == PCVT_WALL_TOP);
-static_assert(WallId::hole(0).number == PCVT_WALL_HOLE);
+static_assert(solver_row(plane::Solver::kLbfgs).abi_value == PCVT_SOLVER_LBFGS);
+static_assert(solver_row(plane::Solver::kLloyd).abi_value == PCVT_SOLVER_LLOYD);
+static_assert(solver_row(plane::Solver::kNewton).abi_value == PCVT_SOLVER_NEWTON);
+static_assert(find_word(plane::kPlaneGroups, "p1")->abi_value == PCVT_SYMMETRY_P1);
+static_assert(find_word(plane::kPlaneGroups, "p2")->abi_value == PCVT_SYMMETRY_P2);
+static_assert(find_word(plane::kPlaneGroups, "pm")->abi_value == PCVT_SYMMETRY_PM);
+static_assert(find_word(plane::kPlaneGroups, "pg")->abi_value == PCVT_SYMMETRY_PG);
+static_assert(find_word(plane::kPlaneGroups, "cm")->abi_value == PCVT_SYMMETRY_CM);
+static_assert(find_word(plane::kPlaneGroups, "pmm")->abi_value == PCVT_SYMMETRY_PMM);
+static_assert(find_word(plane::kPlaneGroups, "pmg")->abi_value == PCVT_SYMMETRY_PMG);
+static_assert(find_word(plane::kPlaneGroups, "pgg")->abi_value == PCVT_SYMMETRY_PGG);
+static_assert(find_word(plane::kPlaneGroups, "cmm")->abi_value == PCVT_SYMMETRY_CMM);
+static_assert(find_word(plane::kPlaneGroups, "p4")->abi_value == PCVT_SYMMETRY_P4);
+static_assert(find_word(plane::kPlaneGroups, "p4m")->abi_value == PCVT_SYMMETRY_P4M);
+static_assert(find_word(plane::kPlaneGroups, "p4g")->abi_value == PCVT_SYMMETRY_P4G);
+static_assert(find_word(plane::kPlaneGroups, "p3")->abi_value == PCVT_SYMMETRY_P3);
+static_assert(find_word(plane::kPlaneGroups, "p3m1")->abi_value == PCVT_SYMMETRY_P3M1);
+static_assert(find_word(plane::kPlaneGroups, "p31m")->abi_value == PCVT_SYMMETRY_P31M);
+static_assert(find_word(plane::kPlaneGroups, "p6")->abi_value == PCVT_SYMMETRY_P6);
+static_assert(find_word(plane::kPlaneGroups, "p6m")->abi_value == PCVT_SYMMETRY_P6M);
+static_assert(walls_row(plane::Walls::kNone).abi_value == PCVT_WALLS_NONE);
+static_assert(walls_row(plane::Walls::kX).abi_value == PCVT_WALLS_X);
+static_assert(walls_row(plane::Walls::kY).abi_value == PCVT_WALLS_Y);
+static_assert(walls_row(plane::Walls::kXY).abi_value == PCVT_WALLS_XY);
+static_assert(wall_cells_row(plane::WallCells::kWhole).abi_value == PCVT_WALL_CELLS_WHOLE);
+static_assert(wall_cells_row(plane::WallCells::kHalf).abi_value == PCVT_WALL_CELLS_HALF);
+static_assert(plane::WallId::side(plane::WallSide::kLeft).number == PCVT_WALL_LEFT);
+static_assert(plane::WallId::side(plane::WallSide::kRight).number == PCVT_WALL_RIGHT);
+static_assert(plane::WallId::side(plane::WallSide::kBottom).number == PCVT_WALL_BOTTOM);
+static_assert(plane::WallId::side(plane::WallSide::kTop).number == PCVT_WALL_TOP);
+static_assert(plane::WallId::hole(0).number == PCVT_WALL_HOLE);
 
 static_assert(find_abi_value(kDuplicates, PCVT_DUPLICATES_REFUSE)->duplicates ==
               Duplicates::kRefuse);
@@ -79,9 +79,9 @@ int budget(const pcvt_options& options) {
     return static_cast<int>(options.budget);
 }
 
-Solver solver(std::int32_t value) {
+plane::Solver solver(std::int32_t value) {
     if (value == PCVT_SOLVER_DEFAULT) return Job().solver;
-    return chosen_row("solver", value, kSolvers).solver;
+    return chosen_row("solver", value, plane::kSolvers).solver;
 }
 
 void read_grains(const pcvt_options& options, Job& job) {
@@ -99,9 +99,9 @@ void read_grains(const pcvt_options& options, Job& job) {
     job.short_edges = options.short_edges;
 }
 
-std::optional<PlaneGroupName> symmetry(std::int32_t value) {
+std::optional<plane::PlaneGroupName> symmetry(std::int32_t value) {
     if (value == PCVT_SYMMETRY_NONE) return std::nullopt;
-    return chosen_row("symmetry", value, kPlaneGroups).name;
+    return chosen_row("symmetry", value, plane::kPlaneGroups).name;
 }
 
 std::optional<WishedAreas> wished_areas(const pcvt_options& options) {
@@ -109,7 +109,8 @@ std::optional<WishedAreas> wished_areas(const pcvt_options& options) {
         throw InvalidInput("areas and area_law exclude each other; leave one out");
     }
     if (options.area_law != nullptr) {
-        return WishedAreas{.law = parse_area_law(options.area_law), .name = options.area_law};
+        return WishedAreas{.law = plane::parse_area_law(options.area_law),
+                           .name = options.area_law};
     }
     if (options.areas == nullptr) {
         if (options.n_areas == 0) return std::nullopt;
@@ -129,9 +130,9 @@ std::optional<Aspect> aspect(const pcvt_options& options) {
     return Aspect{.ratio = options.aspect, .degrees = options.aspect_degrees};
 }
 
-MaterialChoices materials(const pcvt_options& options) {
-    MaterialChoices choices;
-    if (options.phases != nullptr) choices.phases = parse_phases(options.phases);
+plane::MaterialChoices materials(const pcvt_options& options) {
+    plane::MaterialChoices choices;
+    if (options.phases != nullptr) choices.phases = plane::parse_phases(options.phases);
     if (options.random_orientations != 0 && options.random_orientations != 1) {
         throw InvalidInput("random_orientations is neither 0 nor 1");
     }
@@ -150,27 +151,27 @@ MaterialChoices materials(const pcvt_options& options) {
     }
     for (std::int32_t s = 0; s < options.n_sites; ++s) {
         const double* const angles = options.orientations + 3 * std::ptrdiff_t{s};
-        choices.orientations.push_back(checked_angles({angles[0], angles[1], angles[2]}));
+        choices.orientations.push_back(plane::checked_angles({angles[0], angles[1], angles[2]}));
     }
     return choices;
 }
 
 /// @param name  of one of them in messages.
-Points finite_points(const char* name, const double* numbers, std::int32_t n) {
+plane::Points finite_points(const char* name, const double* numbers, std::int32_t n) {
     require_finite_points(name, numbers, n, 2);
-    return Eigen::Map<const Points>(numbers, 2, n);
+    return Eigen::Map<const plane::Points>(numbers, 2, n);
 }
 
-Points given_sites(const pcvt_options& options) {
-    if (options.sites == nullptr) return Points(2, 0);
+plane::Points given_sites(const pcvt_options& options) {
+    if (options.sites == nullptr) return plane::Points(2, 0);
     return finite_points("site", options.sites, options.n_sites);
 }
 
-Points fixed_sites(const pcvt_options& options) {
+plane::Points fixed_sites(const pcvt_options& options) {
     if (options.fixed_sites != nullptr) {
         return finite_points("fixed site", options.fixed_sites, options.n_fixed_sites);
     }
-    if (options.n_fixed_sites == 0) return Points(2, 0);
+    if (options.n_fixed_sites == 0) return plane::Points(2, 0);
     throw InvalidInput("n_fixed_sites is not 0, but fixed_sites is a null pointer; give both");
 }
 
@@ -238,11 +239,13 @@ pcvt_options default_options() {
     return options;
 }
 
-MeshKind tile_kind(std::int32_t kind) { return chosen_row("kind", kind, kMeshKinds).kind; }
+plane::MeshKind tile_kind(std::int32_t kind) {
+    return chosen_row("kind", kind, plane::kMeshKinds).kind;
+}
 
-Outline tile_outline(std::int32_t outline) {
-    if (outline == PCVT_WHOLE) return Outline::kWhole;
-    if (outline == PCVT_BOX) return Outline::kBox;
+plane::Outline tile_outline(std::int32_t outline) {
+    if (outline == PCVT_WHOLE) return plane::Outline::kWhole;
+    if (outline == PCVT_BOX) return plane::Outline::kBox;
     throw InvalidInput("outline " + std::to_string(outline) + " is unknown; take one of pcvt.h");
 }
 
@@ -262,7 +265,7 @@ FileOptions file_options(const pcvt_write_options& options) {
     if (options.pixels < 0) throw InvalidInput("pixels is negative; take 0 or more");
     result.pixels = options.pixels;
     if ((options.voxels[0] != 0 || options.voxels[1] != 0) &&
-        (options.voxels[0] < kLeastVoxels || options.voxels[1] < kLeastVoxels)) {
+        (options.voxels[0] < plane::kLeastVoxels || options.voxels[1] < plane::kLeastVoxels)) {
         throw InvalidInput("voxels are fewer than 2 along an axis; take 2 or more, or 0 for both");
     }
     if (options.voxel_layers < 0) throw InvalidInput("voxel_layers is negative; take 0 or more");
@@ -283,7 +286,7 @@ FileOptions file_options(const pcvt_write_options& options) {
     }
     if (options.materials != nullptr) {
         try {
-            result.elastic = parse_elastic_choices(options.materials);
+            result.elastic = plane::parse_elastic_choices(options.materials);
         } catch (const InvalidInput& error) {
             throw InvalidInput(std::string("materials: ") + error.what());
         }
@@ -294,13 +297,13 @@ FileOptions file_options(const pcvt_write_options& options) {
 Job make_job(const pcvt_options& options) {
     require_finite("lattice", options.lattice, 4);
     require_finite("origin", options.origin, 2);
-    if (options.n_sites < 1 || options.n_sites > kMostSites) {
-        throw InvalidInput("n_sites is not between 1 and " + std::to_string(kMostSites));
+    if (options.n_sites < 1 || options.n_sites > plane::kMostSites) {
+        throw InvalidInput("n_sites is not between 1 and " + std::to_string(plane::kMostSites));
     }
     require_positive("tolerance", options.tolerance);
     Job job;
-    job.lattice =
-        Lattice({options.lattice[0], options.lattice[1]}, {options.lattice[2], options.lattice[3]});
+    job.lattice = plane::Lattice({options.lattice[0], options.lattice[1]},
+                                 {options.lattice[2], options.lattice[3]});
     job.points = given_sites(options);
     job.n_sites = options.n_sites;
     job.seed = options.seed;
@@ -321,8 +324,8 @@ Job make_job(const pcvt_options& options) {
     job.areas = wished_areas(options);
     job.aspect = aspect(options);
     job.symmetry = symmetry(options.symmetry);
-    job.walls = chosen_row("walls", options.walls, kWalls).walls;
-    job.wall_cells = chosen_row("wall_cells", options.wall_cells, kWallCells).cells;
+    job.walls = chosen_row("walls", options.walls, plane::kWalls).walls;
+    job.wall_cells = chosen_row("wall_cells", options.wall_cells, plane::kWallCells).cells;
     job.materials = materials(options);
     job.fixed = fixed_sites(options);
     if (options.inclusions != nullptr) {

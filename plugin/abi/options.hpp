@@ -66,8 +66,8 @@ Job make_job(const pcvt_options& options);
 
 /// The kind and the outline of a number of the interface.
 /// @throws InvalidInput for an unknown number.
-MeshKind tile_kind(std::int32_t kind);
-Outline tile_outline(std::int32_t outline);
+plane::MeshKind tile_kind(std::int32_t kind);
+plane::Outline tile_outline(std::int32_t outline);
 
 /// The forms of files that the options choose.
 /// @throws InvalidInput naming the field.

@@ -101,7 +101,7 @@ pcvt_status generate_in_plane(const pcvt_options& options, pcvt_result** result,
     if (!computed) return cancelled_status();
     const pcvt_status status = status_of(job.max_iterations, computed->cells.run);
     // The callback may not be called after this call.
-    if (job.density) job.density = Density{};
+    if (job.density) job.density = plane::Density{};
     *result = new pcvt_result(std::in_place_type<Result>, std::move(job), *std::move(computed));
     return status;
 }

@@ -25,7 +25,7 @@ class ProgressSites {
    private:
     const Job* job_;
     const Progress& progress_;
-    Points points_;
+    plane::Points points_;
     ProgressSites* outer_;
 };
 

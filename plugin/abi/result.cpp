@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "mesher/mesh/valence.hpp"
+#include "mesher/plane/mesh/valence.hpp"
 #include "plugin/abi/guard.hpp"
 #include "plugin/abi/run_status.hpp"
 #include "plugin/job/job_files.hpp"
@@ -14,10 +14,10 @@ namespace pcvt::abi {
 namespace {
 
 static_assert(sizeof(int) == sizeof(std::int32_t));
-static_assert(sizeof(Vec2) == 2 * sizeof(double));
-static_assert(sizeof(Offset) == 2 * sizeof(std::int32_t));
+static_assert(sizeof(plane::Vec2) == 2 * sizeof(double));
+static_assert(sizeof(plane::Offset) == 2 * sizeof(std::int32_t));
 
-const double* numbers(const std::vector<Vec2>& points) {
+const double* numbers(const std::vector<plane::Vec2>& points) {
     return points.empty() ? nullptr : points.front().data();
 }
 
@@ -25,25 +25,25 @@ const std::int32_t* numbers(const std::vector<int>& values) {
     return values.empty() ? nullptr : values.data();
 }
 
-const std::int32_t* numbers(const std::vector<Offset>& offsets) {
+const std::int32_t* numbers(const std::vector<plane::Offset>& offsets) {
     return offsets.empty() ? nullptr : &offsets.front().i;
 }
 
-void copy_lattice(const Lattice& lattice, double* vectors) {
+void copy_lattice(const plane::Lattice& lattice, double* vectors) {
     const std::array<double, 4> numbers{lattice.a().x(), lattice.a().y(), lattice.b().x(),
                                         lattice.b().y()};
     std::copy(numbers.begin(), numbers.end(), vectors);
 }
 
 void note_orbits(TileArrays& arrays) {
-    const Tile& tile = arrays.built.tile;
+    const plane::Tile& tile = arrays.built.tile;
     arrays.offset.resize(tile.points.size());
     for (int v = 0; v < tile.n_vertices(); ++v) arrays.orbit.push_back(v);
-    for (const VertexPair& pair : tile.vertex_pairs) {
+    for (const plane::VertexPair& pair : tile.vertex_pairs) {
         arrays.orbit[pair.w] = pair.v;
         arrays.offset[pair.w] = pair.offset;
     }
-    for (const EdgePair& pair : tile.edge_pairs) {
+    for (const plane::EdgePair& pair : tile.edge_pairs) {
         arrays.edge_pairs.push_back({.v0 = pair.v0,
                                      .v1 = pair.v1,
                                      .w0 = pair.w0,
@@ -51,30 +51,31 @@ void note_orbits(TileArrays& arrays) {
                                      .i = pair.offset.i,
                                      .j = pair.offset.j});
     }
-    for (const WallEdge& edge : tile.wall_edges) {
+    for (const plane::WallEdge& edge : tile.wall_edges) {
         arrays.wall_edges.push_back({.wall = edge.wall.number, .v0 = edge.v0, .v1 = edge.v1});
     }
 }
 
 /// The number of a shape's form, and its numbers appended.
-std::int32_t append(const Circle& circle, std::vector<double>& numbers) {
+std::int32_t append(const plane::Circle& circle, std::vector<double>& numbers) {
     numbers.insert(numbers.end(), {circle.centre.x(), circle.centre.y(), circle.radius});
     return PCVT_CIRCLE;
 }
-std::int32_t append(const Ellipse& ellipse, std::vector<double>& numbers) {
+std::int32_t append(const plane::Ellipse& ellipse, std::vector<double>& numbers) {
     numbers.insert(numbers.end(),
                    {ellipse.centre.x(), ellipse.centre.y(), ellipse.a, ellipse.b, ellipse.degrees});
     return PCVT_ELLIPSE;
 }
-std::int32_t append(const Polygon& polygon, std::vector<double>& numbers) {
-    for (const Vec2& corner : polygon) numbers.insert(numbers.end(), {corner.x(), corner.y()});
+std::int32_t append(const plane::Polygon& polygon, std::vector<double>& numbers) {
+    for (const plane::Vec2& corner : polygon)
+        numbers.insert(numbers.end(), {corner.x(), corner.y()});
     return PCVT_POLYGON;
 }
 
 InclusionArrays inclusion_arrays(const Tessellation& cells) {
     InclusionArrays arrays;
     if (!cells.interfaces) return arrays;
-    for (const Inclusion& inclusion : cells.interfaces->shapes) {
+    for (const plane::Inclusion& inclusion : cells.interfaces->shapes) {
         arrays.form.push_back(std::visit(
             [&](const auto& shape) { return append(shape, arrays.numbers); }, inclusion.shape));
         arrays.tags.push_back(cells.tag_names[inclusion.tag].c_str());
@@ -85,17 +86,17 @@ InclusionArrays inclusion_arrays(const Tessellation& cells) {
 
 std::vector<int> counts_by_sides(const Tessellation& cells) {
     std::vector<int> counts;
-    for (const auto& [sides, count] : histogram(cell_sides(cells))) {
+    for (const auto& [sides, count] : plane::histogram(cell_sides(cells))) {
         counts.resize(static_cast<std::size_t>(sides) + 1, 0);
         counts[sides] = count;
     }
     return counts;
 }
 
-std::int32_t kind_number(MeshKind kind) { return mesh_kind_row(kind).abi_value; }
+std::int32_t kind_number(plane::MeshKind kind) { return mesh_kind_row(kind).abi_value; }
 
-std::int32_t outline_number(Outline outline) {
-    return outline == Outline::kBox ? PCVT_BOX : PCVT_WHOLE;
+std::int32_t outline_number(plane::Outline outline) {
+    return outline == plane::Outline::kBox ? PCVT_BOX : PCVT_WHOLE;
 }
 
 }  // namespace
@@ -111,13 +112,13 @@ Result::Result(Job job, Computation computed)
     for (const std::string& name : job_.holes) hole_names_.push_back(name.c_str());
 }
 
-const PeriodicMesh& Result::periodic(MeshKind kind) const {
-    if (kind == MeshKind::kGrains) {
+const plane::PeriodicMesh& Result::periodic(plane::MeshKind kind) const {
+    if (kind == plane::MeshKind::kGrains) {
         throw InvalidInput("grains exist only as a tile; use pcvt_get_tile");
     }
     Job job = job_;
     job.meshes = {kind};
-    job.outline = Outline::kWhole;
+    job.outline = plane::Outline::kWhole;
     job.columns = job.rows = 1;
     check_job(job);
     return meshes_[kind_number(kind)].get([&] {
@@ -133,7 +134,7 @@ const TileArrays& Result::arrays(const Layout& layout, JobMonitor& monitor) cons
     check_job(job);
     return tiles_[kind_number(layout.kind)][outline_number(layout.outline)].get([&] {
         require_memory_for_mesh(job, layout.kind);
-        std::vector<BuiltTile> built =
+        std::vector<plane::BuiltTile> built =
             from_geometry([&] { return proved_tiles(job, computed_.cells, monitor); });
         TileArrays made{std::move(built.front()), {}, {}, {}, {}};
         note_orbits(made);
@@ -143,7 +144,7 @@ const TileArrays& Result::arrays(const Layout& layout, JobMonitor& monitor) cons
 
 double energy_bound(const Job& job, int n_sites) {
     return job.density ? std::numeric_limits<double>::quiet_NaN()
-                       : hexagonal_bound(job.lattice.area(), n_sites);
+                       : plane::hexagonal_bound(job.lattice.area(), n_sites);
 }
 
 double Result::energy_bound() const {
@@ -158,14 +159,14 @@ pcvt_sites Result::sites() const {
     view.n_sites = static_cast<std::int32_t>(sites_.cols());
     const Eigen::VectorXd& weights = computed_.cells.delaunay.weights();
     view.weights = weights.size() == 0 ? nullptr : weights.data();
-    const CellMaterials& materials = computed_.materials;
+    const plane::CellMaterials& materials = computed_.materials;
     if (!materials.site_phase.empty()) view.phases = numbers(materials.site_phase);
     if (!phase_names_.empty()) view.phase_names = phase_names_.data();
     view.n_phases = static_cast<std::int32_t>(phase_names_.size());
     view.n_orbits = computed_.cells.n_orbits();
     view.orbits = numbers(computed_.cells.site_orbits);
     // Three doubles each, without padding.
-    static_assert(sizeof(BungeAngles) == 3 * sizeof(double));
+    static_assert(sizeof(plane::BungeAngles) == 3 * sizeof(double));
     if (!materials.site_orientation.empty()) {
         view.orientations = &materials.site_orientation.front().phi1;
     }
@@ -213,8 +214,8 @@ std::int32_t Result::minimum() const {
     return minimum_.get([&] { return minimum_number(minimum_of(computed_.cells)); });
 }
 
-pcvt_mesh Result::mesh(MeshKind kind) const {
-    const PeriodicMesh& mesh = periodic(kind);
+pcvt_mesh Result::mesh(plane::MeshKind kind) const {
+    const plane::PeriodicMesh& mesh = periodic(kind);
     pcvt_mesh view{};
     copy_lattice(mesh.lattice, view.lattice);
     view.vertices = numbers(mesh.vertices);
@@ -235,7 +236,7 @@ pcvt_tile Result::tile(const Layout& layout) const {
     const JobCallback no_callback;
     JobMonitor monitor(no_callback, {});
     const TileArrays& made = arrays(layout, monitor);
-    const Tile& tile = made.built.tile;
+    const plane::Tile& tile = made.built.tile;
     pcvt_tile view{};
     copy_lattice(tile.lattice, view.lattice);
     view.points = numbers(tile.points);
@@ -272,7 +273,7 @@ bool Result::write(const WriteRequest& request, const JobCallback& callback) con
     job.materials = {};
     const std::vector<JobFile> files = plan_files(job);
     const bool has_tile = !files.empty() && files.front().format->needs_tile();
-    const TileSource tiles = [&](JobMonitor& monitor) -> std::span<const BuiltTile> {
+    const TileSource tiles = [&](JobMonitor& monitor) -> std::span<const plane::BuiltTile> {
         if (!has_tile) return {};
         return {&arrays(request.layout, monitor).built, 1};
     };

@@ -10,15 +10,15 @@ namespace pcvt::abi {
 
 /// The kind and outline of a tile.
 struct Layout {
-    MeshKind kind;
-    Outline outline;
+    plane::MeshKind kind;
+    plane::Outline outline;
 };
 
 /// A call of pcvt_write().
 struct WriteRequest {
     /// Empty: none, like `report`.
     std::string path = {};
-    Layout layout = {MeshKind::kVoronoi, Outline::kWhole};
+    Layout layout = {plane::MeshKind::kVoronoi, plane::Outline::kWhole};
     FileOptions files = {};
     std::string report = {};
     bool replace = false;
@@ -29,9 +29,9 @@ double energy_bound(const Job& job, int n_sites);
 
 /// A tile and the arrays that its view borrows.
 struct TileArrays {
-    BuiltTile built;
+    plane::BuiltTile built;
     std::vector<int> orbit;
-    std::vector<Offset> offset;
+    std::vector<plane::Offset> offset;
     std::vector<pcvt_edge_pair> edge_pairs;
     std::vector<pcvt_wall_edge> wall_edges;
 };
@@ -58,7 +58,7 @@ class Result {
     /// PCVT_MINIMUM_...
     std::int32_t minimum() const;
     /// @throws BadGeometry if cells are too small, as tile() and write().
-    pcvt_mesh mesh(MeshKind kind) const;
+    pcvt_mesh mesh(plane::MeshKind kind) const;
     /// @throws InvalidInput for Delaunay triangles in a box.
     pcvt_tile tile(const Layout& layout) const;
     /// @returns false if the callback cancelled.
@@ -66,18 +66,18 @@ class Result {
     bool write(const WriteRequest& request, const JobCallback& callback) const;
 
    private:
-    const PeriodicMesh& periodic(MeshKind kind) const;
+    const plane::PeriodicMesh& periodic(plane::MeshKind kind) const;
     const TileArrays& arrays(const Layout& layout, JobMonitor& monitor) const;
 
     Job job_;
     Computation computed_;
-    Points sites_;
+    plane::Points sites_;
     std::vector<const char*> phase_names_;
     std::vector<const char*> hole_names_;
     InclusionArrays inclusions_;
     /// By the number of the kind, and of the outline.
-    std::array<Lazy<PeriodicMesh>, kMeshKinds.size()> meshes_;
-    std::array<std::array<Lazy<TileArrays>, 2>, kMeshKinds.size()> tiles_;
+    std::array<Lazy<plane::PeriodicMesh>, plane::kMeshKinds.size()> meshes_;
+    std::array<std::array<Lazy<TileArrays>, 2>, plane::kMeshKinds.size()> tiles_;
     Lazy<std::vector<int>> valences_;
     Lazy<std::int32_t> minimum_;
 };

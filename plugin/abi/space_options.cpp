@@ -13,8 +13,8 @@ constexpr const char* kPlaneFile = "is not for files in three dimensions; leave 
 static_assert(find_abi_value(kSpaceStarts, PCVT_START_RANDOM)->start == SpaceStart::kRandom);
 static_assert(find_abi_value(kSpaceStarts, PCVT_START_COARSE)->start == SpaceStart::kCoarse);
 static_assert(find_abi_value(kSpaceStarts, PCVT_START_LATTICE)->start == SpaceStart::kLattice);
-static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LBFGS)->solver == SpaceSolver::kLbfgs);
-static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LLOYD)->solver == SpaceSolver::kLloyd);
+static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LBFGS)->solver == space::Solver::kLbfgs);
+static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LLOYD)->solver == space::Solver::kLloyd);
 static_assert(find_abi_value(kSpaceMeshes, PCVT_VORONOI)->mesh == SpaceMesh::kVoronoi);
 static_assert(find_abi_value(kSpaceMeshes, PCVT_DELAUNAY)->mesh == SpaceMesh::kDelaunay);
 static_assert(find_abi_value(kSurfaceForms, PCVT_SURFACE_CELLS)->form == SurfaceForm::kCells);
@@ -82,9 +82,11 @@ void refuse_plane_files(const pcvt_write_options& options) {
     plane.refuse("materials", &pcvt_write_options::materials);
 }
 
-SpaceLattice space_lattice(const double* numbers) {
+space::Lattice space_lattice(const double* numbers) {
     require_finite("lattice3", numbers, 9);
-    const auto row = [numbers](int k) { return Vec3(Eigen::Map<const Vec3>(numbers + 3 * k)); };
+    const auto row = [numbers](int k) {
+        return space::Vec3(Eigen::Map<const space::Vec3>(numbers + 3 * k));
+    };
     try {
         return {row(0), row(1), row(2)};
     } catch (const InvalidInput& error) {
@@ -92,10 +94,10 @@ SpaceLattice space_lattice(const double* numbers) {
     }
 }
 
-Points3 space_sites(const pcvt_options& options) {
-    if (options.sites == nullptr) return Points3(3, 0);
+space::Points space_sites(const pcvt_options& options) {
+    if (options.sites == nullptr) return space::Points(3, 0);
     require_finite_points("site", options.sites, options.n_sites, 3);
-    return Eigen::Map<const Points3>(options.sites, 3, options.n_sites);
+    return Eigen::Map<const space::Points>(options.sites, 3, options.n_sites);
 }
 
 }  // namespace
@@ -116,8 +118,8 @@ SpaceJob make_space_job(const pcvt_options& options) {
     const UnusedFields<pcvt_options> plane(options, default_options(), kPlaneAlone);
     refuse_plane_shapes(plane);
     refuse_plane_cells(plane);
-    if (options.n_sites < 1 || options.n_sites > kMostSpaceSites) {
-        throw InvalidInput("n_sites is not between 1 and " + std::to_string(kMostSpaceSites));
+    if (options.n_sites < 1 || options.n_sites > space::kMostSites) {
+        throw InvalidInput("n_sites is not between 1 and " + std::to_string(space::kMostSites));
     }
     require_positive("tolerance", options.tolerance);
     require_one_start(options.sites, options.start);

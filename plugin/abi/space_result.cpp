@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "mesher/polyhedra/cell_faces.hpp"
+#include "mesher/space/mesh/cell_faces.hpp"
 #include "plugin/abi/guard.hpp"
 #include "plugin/abi/run_status.hpp"
 #include "plugin/job/job_memory.hpp"
@@ -14,16 +14,16 @@ namespace pcvt::abi {
 namespace {
 
 static_assert(sizeof(int) == sizeof(std::int32_t));
-static_assert(sizeof(Vec3) == 3 * sizeof(double));
-static_assert(sizeof(Offset3) == 3 * sizeof(std::int32_t));
+static_assert(sizeof(space::Vec3) == 3 * sizeof(double));
+static_assert(sizeof(space::Offset) == 3 * sizeof(std::int32_t));
 
-void copy_lattice(const SpaceLattice& lattice, double* vectors) {
-    for (const Vec3& period : lattice.periods()) {
+void copy_lattice(const space::Lattice& lattice, double* vectors) {
+    for (const space::Vec3& period : lattice.periods()) {
         vectors = std::copy(period.data(), period.data() + 3, vectors);
     }
 }
 
-CellArrays cell_arrays(const PolyhedralMesh& mesh, Points3 sites) {
+CellArrays cell_arrays(const space::PolyhedralMesh& mesh, space::Points sites) {
     CellArrays arrays;
     arrays.neighbour = mesh.neighbour;
     arrays.neighbour.resize(static_cast<std::size_t>(mesh.n_faces()), -1);
@@ -31,14 +31,14 @@ CellArrays cell_arrays(const PolyhedralMesh& mesh, Points3 sites) {
     const auto n_boundary = static_cast<std::size_t>(mesh.n_faces() - n_inner);
     arrays.partner.resize(n_boundary);
     arrays.partner_offset.resize(n_boundary);
-    for (const PolyhedralPatch& patch : mesh.patches) {
+    for (const space::PolyhedralPatch& patch : mesh.patches) {
         for (int k = 0; k < patch.n_faces; ++k) {
             const int face = patch.first_face - n_inner + k;
             arrays.partner[face] = mesh.patches[patch.partner].first_face + k;
             arrays.partner_offset[face] = patch.offset;
         }
     }
-    for (const CellBody& body : cell_bodies(mesh)) arrays.volumes.push_back(body.volume);
+    for (const space::CellBody& body : cell_bodies(mesh)) arrays.volumes.push_back(body.volume);
     arrays.sites = std::move(sites);
     return arrays;
 }
@@ -58,7 +58,7 @@ SpaceResult::SpaceResult(SpaceJob job, SpaceComputation computed)
     : job_(std::move(job)), computed_(std::move(computed)) {
     // The result has the optimised sites; those that the run began with are not read again.
     job_.n_sites = computed_.cvt.delaunay.sites.n_sites();
-    job_.points = Points3(3, 0);
+    job_.points = space::Points(3, 0);
 }
 
 double SpaceResult::energy_bound() const { return pcvt::energy_bound(job_); }
@@ -78,13 +78,13 @@ const ProvedSpaceTile& SpaceResult::tile() const {
 }
 
 const CellArrays& SpaceResult::arrays() const {
-    const PolyhedralMesh& mesh = tile().tile.mesh;
+    const space::PolyhedralMesh& mesh = tile().tile.mesh;
     return arrays_.get([&] { return cell_arrays(mesh, wrapped_sites(computed_)); });
 }
 
 pcvt_cells SpaceResult::cells() const {
     const SpaceTile& made = tile().tile;
-    const PolyhedralMesh& mesh = made.mesh;
+    const space::PolyhedralMesh& mesh = made.mesh;
     const CellArrays& more = arrays();
     pcvt_cells view{};
     copy_lattice(mesh.lattice, view.lattice);

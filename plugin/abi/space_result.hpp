@@ -14,11 +14,11 @@ struct CellArrays {
     std::vector<int> neighbour;
     /// Of each boundary face.
     std::vector<int> partner;
-    std::vector<Offset3> partner_offset;
+    std::vector<space::Offset> partner_offset;
     /// Of each cell, length^3.
     std::vector<double> volumes;
     /// 3 x n, in the domain, length units.
-    Points3 sites;
+    space::Points sites;
 };
 
 /// A call of pcvt_write() in three dimensions.

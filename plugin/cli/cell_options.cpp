@@ -11,7 +11,7 @@
 #include "io/run_files/density_image.hpp"
 #include "io/run_files/inclusion_reader.hpp"
 #include "io/run_files/site_reader.hpp"
-#include "mesher/areas/target_areas.hpp"
+#include "mesher/plane/areas/target_areas.hpp"
 #include "plugin/cli/help_command.hpp"
 #include "plugin/cli/options/option_values.hpp"
 #include "plugin/job/job_density.hpp"
@@ -20,9 +20,9 @@ namespace pcvt::cli {
 namespace {
 
 GreyRange grey_range(const std::string& text) {
-    const Vec2 range = point("--density-range", text);
+    const plane::Vec2 range = point("--density-range", text);
     for (const double limit : {range.x(), range.y()}) {
-        if (!(limit >= kLeastDensity && limit <= kGreatestDensity)) {
+        if (!(limit >= plane::kLeastDensity && limit <= plane::kGreatestDensity)) {
             throw InvalidInput("--density-range " + text +
                                ": not from 1e-60 to 1e60; give two positive densities LO,HI");
         }
@@ -42,9 +42,9 @@ void read_density(const CLI::App& app, const CellOptions& options, Job& job) {
 
 /// A law, or the name of a file.
 WishedAreas wished_areas(const std::string& text) {
-    if (names_area_law(text)) {
+    if (plane::names_area_law(text)) {
         try {
-            return {.law = parse_area_law(text), .name = text};
+            return {.law = plane::parse_area_law(text), .name = text};
         } catch (const InvalidInput& error) {
             throw InvalidInput("--areas " + std::string(error.what()));
         }
@@ -61,10 +61,10 @@ WishedAreas wished_areas(const std::string& text) {
 /// "R" or "R,DEGREES".
 Aspect read_aspect(const std::string& text) {
     const bool has_angle = text.find(',') != std::string::npos;
-    const Vec2 values = point("--aspect", has_angle ? text : text + ",0");
+    const plane::Vec2 values = point("--aspect", has_angle ? text : text + ",0");
     const Aspect aspect{.ratio = values.x(), .degrees = values.y()};
     try {
-        Metric(aspect.ratio, aspect.degrees);
+        plane::Metric(aspect.ratio, aspect.degrees);
     } catch (const InvalidInput& error) {
         throw InvalidInput("--aspect " + text + ": " + error.what());
     }
@@ -121,13 +121,14 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
     if (app.count("--aspect") > 0) job.aspect = read_aspect(options.aspect);
     if (app.count("--areas") > 0) {
         job.areas = wished_areas(options.areas);
-        if (!names_area_law(options.areas)) job.inputs.push_back(options.areas);
+        if (!plane::names_area_law(options.areas)) job.inputs.push_back(options.areas);
     }
     if (app.count("--walls") > 0) {
-        job.walls = chosen_row("--walls", options.walls, std::span(kWalls).subspan<1>()).walls;
+        job.walls =
+            chosen_row("--walls", options.walls, std::span(plane::kWalls).subspan<1>()).walls;
     }
     if (app.count("--wall-cells") > 0) {
-        job.wall_cells = chosen_row("--wall-cells", options.wall_cells, kWallCells).cells;
+        job.wall_cells = chosen_row("--wall-cells", options.wall_cells, plane::kWallCells).cells;
     }
     if (app.count("--fixed") > 0) {
         SiteFile file = read_sites<2>(options.fixed);
@@ -150,10 +151,10 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
     read_density(app, options, job);
 }
 
-Lattice automatic_period(const CellOptions& options) {
+plane::Lattice automatic_period(const CellOptions& options) {
     double width = 1;
     double height = 1;
-    if (!options.areas.empty() && !names_area_law(options.areas)) {
+    if (!options.areas.empty() && !plane::names_area_law(options.areas)) {
         width = height = std::sqrt(read_areas(options.areas).areas.sum());
     } else if (names_picture(options.density)) {
         height = png_height_over_width(options.density);
@@ -170,14 +171,14 @@ Lattice automatic_period(const CellOptions& options) {
 }
 
 void read_area_file(Job& job) {
-    if (!job.areas || names_area_law(job.areas->name)) return;
+    if (!job.areas || plane::names_area_law(job.areas->name)) return;
     const AreaFile file = read_areas(job.areas->name);
     require_areas(file, job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites);
     job.areas->given = file.areas;
 }
 
-Density density_option(const std::string& density, const std::string& range,
-                       const Lattice& lattice) {
+plane::Density density_option(const std::string& density, const std::string& range,
+                              const plane::Lattice& lattice) {
     if (names_picture(density)) {
         std::optional<GreyRange> greys;
         if (!range.empty()) greys = grey_range(range);

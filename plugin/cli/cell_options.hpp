@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "mesher/density/density.hpp"
+#include "mesher/plane/density/density.hpp"
 #include "plugin/job/job.hpp"
 
 namespace CLI {
@@ -37,7 +37,7 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
 /// The domain of --period auto: a square of the sum of the areas in a file, or a rectangle of the
 /// width 1 with the aspect of a picture.
 /// @throws InvalidInput if the options name neither; BadFile.
-Lattice automatic_period(const CellOptions& options);
+plane::Lattice automatic_period(const CellOptions& options);
 
 /// Reads the file of areas of a job that has its sites, if it names one.
 /// @throws BadFile naming the line.
@@ -50,7 +50,7 @@ void read_area_file(Job& job);
 /// @param range    empty if the option is not given.
 /// @param lattice  defines the coordinates u and v.
 /// @throws InvalidInput, BadFile, BadDensity naming the options; LimitExceeded.
-Density density_option(const std::string& density, const std::string& range,
-                       const Lattice& lattice);
+plane::Density density_option(const std::string& density, const std::string& range,
+                              const plane::Lattice& lattice);
 
 }  // namespace pcvt::cli

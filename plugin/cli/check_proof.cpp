@@ -13,8 +13,8 @@
 #include "io/space_formats.hpp"
 #include "io/tile_formats.hpp"
 #include "mesher/base/law_violation.hpp"
-#include "mesher/density/density_centroid.hpp"
-#include "mesher/proof/validate_voronoi.hpp"
+#include "mesher/plane/density/density_centroid.hpp"
+#include "mesher/plane/proof/validate_voronoi.hpp"
 #include "plugin/cli/cell_options.hpp"
 #include "plugin/cli/checks/area_check.hpp"
 #include "plugin/cli/checks/inclusion_check.hpp"
@@ -49,7 +49,7 @@ std::vector<EncodedFile> read_files(const TileFormat& format, const std::string&
     return files;
 }
 
-void compare_lattice(const Lattice& stated, const Lattice& asked) {
+void compare_lattice(const plane::Lattice& stated, const plane::Lattice& asked) {
     if (stated.a() == asked.a() && stated.b() == asked.b()) return;
     throw NotATile("the file states the lattice " + figure(stated.a().x()) + "," +
                    figure(stated.a().y()) + "," + figure(stated.b().x()) + "," +
@@ -57,28 +57,31 @@ void compare_lattice(const Lattice& stated, const Lattice& asked) {
 }
 
 /// The tolerance for a file: in single precision, not below the rounding.
-double resolved(const TileFile& file, const TileProof& proof, double tolerance) {
-    if (file.precision == Precision::kDouble) return tolerance;
+double resolved(const TileFile& file, const plane::TileProof& proof, double tolerance) {
+    if (file.precision == plane::Precision::kDouble) return tolerance;
     // Three cells meet at a vertex, so there are two vertices a cell; files may hold cells in
     // parts.
-    const double n = file.tile.kind == MeshKind::kVoronoi ? proof.n_orbits / 2.0 : proof.n_orbits;
+    const double n =
+        file.tile.kind == plane::MeshKind::kVoronoi ? proof.n_orbits / 2.0 : proof.n_orbits;
     return std::max(tolerance, 2 * proof.tolerance / std::sqrt(file.tile.lattice.area() / n));
 }
 
-double prove_voronoi(const TileFile& file, const TileProof& proof, const Question& question,
+double prove_voronoi(const TileFile& file, const plane::TileProof& proof, const Question& question,
                      double tolerance) {
     if (question.density.empty()) return prove_voronoi(file.tile, proof, tolerance);
-    const Lattice& lattice = file.tile.lattice;
-    const Density density = density_option(question.density, question.density_range, lattice);
-    const CellQuadrature quadrature(density);
-    DensityProbe probe(lattice, density.make_function());
-    return prove_voronoi(file.tile, proof, tolerance, [&](const Polygon& polygon) {
+    const plane::Lattice& lattice = file.tile.lattice;
+    const plane::Density density =
+        density_option(question.density, question.density_range, lattice);
+    const plane::CellQuadrature quadrature(density);
+    plane::DensityProbe probe(lattice, density.make_function());
+    return prove_voronoi(file.tile, proof, tolerance, [&](const plane::Polygon& polygon) {
         return density_centroid(lattice, quadrature, polygon, probe);
     });
 }
 
-std::string prove_cvt(const TileFile& file, const TileProof& proof, const Question& question) {
-    const bool cells = file.tile.kind == MeshKind::kVoronoi;
+std::string prove_cvt(const TileFile& file, const plane::TileProof& proof,
+                      const Question& question) {
+    const bool cells = file.tile.kind == plane::MeshKind::kVoronoi;
     const double tolerance = resolved(file, proof, *question.cvt_tolerance);
     const double found = prove_voronoi(file, proof, question, tolerance);
     const bool weighted = !file.tile.site_weights.empty();
@@ -90,34 +93,35 @@ std::string prove_cvt(const TileFile& file, const TileProof& proof, const Questi
 }
 
 /// A tile with these walls, as lines of proof and refutation name it.
-std::string content_of(Walls walls) {
-    if (walls == Walls::kNone) return "a periodic tile";
-    return walls == Walls::kXY ? "a box with four walls" : "a channel";
+std::string content_of(plane::Walls walls) {
+    if (walls == plane::Walls::kNone) return "a periodic tile";
+    return walls == plane::Walls::kXY ? "a box with four walls" : "a channel";
 }
 
 /// The same with the direction of a channel and its walls.
-std::string described(Walls walls) {
-    if (walls == Walls::kNone || walls == Walls::kXY) return content_of(walls) + ": ";
-    const bool across_x = walls == Walls::kX;
-    const auto word = [](WallSide side) { return std::string(wall_side_row(side).word); };
+std::string described(plane::Walls walls) {
+    if (walls == plane::Walls::kNone || walls == plane::Walls::kXY) return content_of(walls) + ": ";
+    const bool across_x = walls == plane::Walls::kX;
+    const auto word = [](plane::WallSide side) { return std::string(wall_side_row(side).word); };
     return content_of(walls) + ": periodic along " + (across_x ? "y" : "x") + ", walls " +
-           word(across_x ? WallSide::kLeft : WallSide::kBottom) + " and " +
-           word(across_x ? WallSide::kRight : WallSide::kTop) + ", ";
+           word(across_x ? plane::WallSide::kLeft : plane::WallSide::kBottom) + " and " +
+           word(across_x ? plane::WallSide::kRight : plane::WallSide::kTop) + ", ";
 }
 
 /// What the tile becomes when its seam is glued.
-std::string glued_text(const Tile& tile, const TileProof& proof) {
-    const auto on_holes = std::count_if(proof.wall_edges.begin(), proof.wall_edges.end(),
-                                        [](const WallEdge& edge) { return edge.wall.is_hole(); });
+std::string glued_text(const plane::Tile& tile, const plane::TileProof& proof) {
+    const auto on_holes =
+        std::count_if(proof.wall_edges.begin(), proof.wall_edges.end(),
+                      [](const plane::WallEdge& edge) { return edge.wall.is_hole(); });
     const auto on_walls = static_cast<std::ptrdiff_t>(proof.wall_edges.size()) - on_holes;
     std::string text;
-    if (tile.walls != Walls::kNone) text += std::to_string(on_walls) + " on walls, ";
+    if (tile.walls != plane::Walls::kNone) text += std::to_string(on_walls) + " on walls, ";
     if (!tile.holes.empty()) text += std::to_string(on_holes) + " on holes, ";
     const char* const filling = tile.holes.empty() ? "" : " and filling";
     switch (tile.walls) {
-        case Walls::kNone:
+        case plane::Walls::kNone:
             return text + "genus 1 after gluing" + filling;
-        case Walls::kXY:
+        case plane::Walls::kXY:
             return text + "a disc" + (tile.holes.empty() ? "" : " after filling");
         default:
             return text + "an annulus after gluing" + filling;
@@ -130,19 +134,19 @@ std::string pairs_text(const TileFile& file) {
 }
 
 /// The kind of the cells. Where corners were moved, and of triangles, it is stated only.
-std::string shape_text(const Tile& tile) {
+std::string shape_text(const plane::Tile& tile) {
     std::string text;
     if (!tile.site_weights.empty()) text += ", power cells";
     if (!tile.metric.is_round()) {
         text += ", elongated " + figure(tile.metric.ratio()) + ":1 at " +
                 figure(tile.metric.degrees()) + " degrees";
     }
-    const bool proved = tile.kind == MeshKind::kVoronoi && !(tile.short_edges > 0);
+    const bool proved = tile.kind == plane::MeshKind::kVoronoi && !(tile.short_edges > 0);
     return proved || text.empty() ? text : text + " as stated";
 }
 
 /// The part of the line about the site ids.
-std::string sites_text(const Tile& tile) {
+std::string sites_text(const plane::Tile& tile) {
     if (tile.sites().empty()) return ", no sites stored";
     if (tile.site_positions.empty()) return ", site ids complete, no positions of sites stored";
     return ", " + std::to_string(tile.site_positions.size()) + " sites agree" + shape_text(tile);
@@ -172,7 +176,7 @@ std::string prove_grid(GridReader* read, const TileFormat& format, const std::st
     const std::vector<EncodedFile> files = read_files(format, path);
     const MpasGrid grid = read(files);
     if (question.lattice) {
-        compare_lattice(Lattice::rectangle(grid.x_period, grid.y_period), *question.lattice);
+        compare_lattice(plane::Lattice::rectangle(grid.x_period, grid.y_period), *question.lattice);
     }
     const MpasGridProof proof = prove_grid(files, grid);
     return path + ": an MPAS mesh: " + std::to_string(grid.n_cells) + " cells, " +
@@ -207,11 +211,11 @@ std::string prove_voxel_image(VoxelReader* read, const TileFormat& format, const
     }
     const std::vector<EncodedFile> files = read_files(format, path);
     const VoxelFile file = read(files);
-    const VoxelGrid& grid = file.image.grid;
+    const plane::VoxelGrid& grid = file.image.grid;
     if (question.lattice) {
-        compare_lattice(Lattice::rectangle(grid.size.x(), grid.size.y()), *question.lattice);
+        compare_lattice(plane::Lattice::rectangle(grid.size.x(), grid.size.y()), *question.lattice);
     }
-    const VoxelProof proof = prove_voxel_file(files, file);
+    const plane::VoxelProof proof = prove_voxel_file(files, file);
     return path + ": a voxel image: " + std::to_string(grid.counts.x) + " x " +
            std::to_string(grid.counts.y) +
            (grid.counts.z > 1 ? " x " + std::to_string(grid.counts.z) + " equal layers of" : "") +
@@ -241,8 +245,9 @@ std::string prove_tile_in_space(const std::string& path, const std::vector<Encod
 
 /// As prove_file().
 /// @throws NotATile  also with the tolerance that would suffice.
-TileProof prove_seam_and_fields(const TileFormat& format, const std::vector<EncodedFile>& files,
-                                const TileFile& file) {
+plane::TileProof prove_seam_and_fields(const TileFormat& format,
+                                       const std::vector<EncodedFile>& files,
+                                       const TileFile& file) {
     try {
         return prove_file(format, files, file);
     } catch (const SeamMismatch& fault) {
@@ -255,7 +260,7 @@ TileProof prove_seam_and_fields(const TileFormat& format, const std::vector<Enco
 }
 
 /// The verdict on the seam.
-std::string seam_text(const TileProof& proof) {
+std::string seam_text(const plane::TileProof& proof) {
     std::string text = std::to_string(proof.n_boundary_edges) + " boundary edges in " +
                        std::to_string(proof.edge_pairs.size()) + " pairs, ";
     if (proof.edge_pairs.empty()) return text;
@@ -275,8 +280,8 @@ std::string prove_one_tile(const TileFormat& format, const std::string& path,
     file.tolerance = question.tolerance;
     content = content_of(file.tile.walls);
     if (question.lattice) compare_lattice(file.tile.lattice, *question.lattice);
-    const TileProof proof = prove_seam_and_fields(format, files, file);
-    if (file.translation != Vec2::Zero())
+    const plane::TileProof proof = prove_seam_and_fields(format, files, file);
+    if (file.translation != plane::Vec2::Zero())
         file.tile = moved_by(std::move(file.tile), file.translation);
     std::string line = path + ": " + described(file.tile.walls) + std::to_string(proof.n_vertices) +
                        " vertices, " + std::to_string(proof.n_faces) + " faces, " +
@@ -300,7 +305,7 @@ std::string prove(const std::string& path, const Question& question) {
     }
     std::string content = format.reads_voxels() ? "a voxel image"
                           : format.reads_grid() ? "an MPAS mesh"
-                                                : content_of(Walls::kNone);
+                                                : content_of(plane::Walls::kNone);
     try {
         if (const auto* read = std::get_if<GridReader*>(&format.read)) {
             return prove_grid(*read, format, path, question);

@@ -6,7 +6,7 @@
 
 #include "io/run_files/area_reader.hpp"
 #include "io/run_files/inclusion_reader.hpp"
-#include "mesher/lattice/lattice.hpp"
+#include "mesher/plane/geometry/lattice.hpp"
 
 namespace pcvt::cli {
 
@@ -14,7 +14,7 @@ namespace pcvt::cli {
 struct Question {
     std::vector<std::string> files;
     /// Of files that state none; a stated one must be equal.
-    std::optional<Lattice> lattice;
+    std::optional<plane::Lattice> lattice;
     /// In units of h; `nullopt`: the Voronoi property is not checked.
     std::optional<double> cvt_tolerance;
     std::optional<AreaFile> areas = {};

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "io/run_files/site_reader.hpp"
-#include "mesher/density/density_survey.hpp"
+#include "mesher/plane/density/density_survey.hpp"
 #include "plugin/cli/summary.hpp"
 #include "plugin/cli/terminal/cancel_signal.hpp"
 #include "plugin/cli/terminal/console.hpp"
@@ -19,9 +19,10 @@ namespace {
 
 /// The energy that the display divides energies by.
 double expected_energy(const Job& job, int n) {
-    const double bound = hexagonal_bound(job.lattice.area(), n);
+    const double bound = plane::hexagonal_bound(job.lattice.area(), n);
     if (!job.density) return bound;
-    return bound * DensitySurvey(job.lattice, *job.density, kSurveyResolution).mean_root_squared();
+    return bound * plane::DensitySurvey(job.lattice, *job.density, plane::kSurveyResolution)
+                       .mean_root_squared();
 }
 
 /// From this number of sites on, the estimate of the memory is printed when the run begins.
@@ -67,9 +68,9 @@ RunSummary run_distinct(Job& job, const SiteFile& file, bool quiet) {
 
 /// Runs the job. Reports sites that are too far away or coincident by their lines in the file.
 RunSummary run_file(Job& job, const SiteFile& file, bool quiet) {
-    const Lattice reduced = reduce(job.lattice).reduced;
+    const plane::Lattice reduced = reduce(job.lattice).reduced;
     for (std::size_t s = 0; s < file.lines.size(); ++s) {
-        const Vec2 u = reduced.to_lattice(file.points.col(static_cast<Eigen::Index>(s)));
+        const plane::Vec2 u = reduced.to_lattice(file.points.col(static_cast<Eigen::Index>(s)));
         if (u.cwiseAbs().maxCoeff() < kFarthestPeriod) continue;
         throw BadFile(file.name + ":" + std::to_string(file.lines[s]) +
                       ": the site lies more than 2^30 periods away; wrap it into the domain");

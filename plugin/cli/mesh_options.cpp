@@ -27,12 +27,12 @@ constexpr int kMostRetries = 1'000'000;
 
 /// The outlines as the other choices: a word and PCVT_WHOLE or PCVT_BOX of pcvt.h.
 struct OutlineRow {
-    Outline outline;
+    plane::Outline outline;
     const char* word;
     int abi_value;
 };
-constexpr std::array kOutlines{OutlineRow{Outline::kWhole, "whole", 0},
-                               OutlineRow{Outline::kBox, "box", 1}};
+constexpr std::array kOutlines{OutlineRow{plane::Outline::kWhole, "whole", 0},
+                               OutlineRow{plane::Outline::kBox, "box", 1}};
 
 void add(CLI::App& app, const char* name, std::string& value, const std::string& form,
          const std::string& description) {
@@ -65,7 +65,7 @@ std::string start_help() {
 
 std::string solver_help() {
     std::string text;
-    for (const SolverRow& row : kSolvers) {
+    for (const plane::SolverRow& row : plane::kSolvers) {
         if (*row.help != '\0') text += (text.empty() ? "" : "; ") + std::string(row.help);
     }
     return text + " [" + solver_row(Job().solver).word + "]";
@@ -73,13 +73,13 @@ std::string solver_help() {
 
 /// The words of the plane groups on two lines.
 std::string plane_group_words() {
-    std::string text = listed_words(kPlaneGroups, ", ", " or ");
+    std::string text = listed_words(plane::kPlaneGroups, ", ", " or ");
     text[text.rfind(' ', text.size() / 2)] = '\n';
     return text;
 }
 
 /// The suffixes of file names: "-voronoi, -delaunay, -grains".
-std::string mesh_suffixes() { return "-" + listed_words(kMeshKinds, ", -", ", -"); }
+std::string mesh_suffixes() { return "-" + listed_words(plane::kMeshKinds, ", -", ", -"); }
 
 void add_site_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Sites and lattice");
@@ -114,7 +114,7 @@ void add_solver_options(CLI::App& app, MeshOptions& options) {
     add(app, "--start", options.start, form_of(start_rows()), start_help());
     add(app, "--budget", options.budget, "E",
         "evaluations that --start best may spend [the least of 2000 N, 2e5\nand 8e7 / N]");
-    add(app, "--solver", options.solver, form_of(kSolvers), solver_help());
+    add(app, "--solver", options.solver, form_of(plane::kSolvers), solver_help());
     add(app, "--tolerance", options.tolerance, "T",
         "converged once max |x_i - g_i| / h <= T; x_i: site i, g_i: centroid\nof its cell, h = "
         "sqrt(area / n) [1e-6]");
@@ -138,7 +138,7 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
                    "several, " +
                        mesh_suffixes() + " precede the extension")
         ->type_name("KIND")
-        ->option_text(form_of(kMeshKinds))
+        ->option_text(form_of(plane::kMeshKinds))
         ->allow_extra_args(false);
     add(app, "--outline", options.outline, form_of(kOutlines),
         "whole: no cell is cut; box: cut along the period vectors at\n"
@@ -170,20 +170,20 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
 }
 
 /// The lattice of --period or --lattice, or one that fits the symmetry, or the unit square.
-Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options,
-                       const std::optional<PlaneGroupName>& symmetry) {
+plane::Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options,
+                              const std::optional<plane::PlaneGroupName>& symmetry) {
     require_one_lattice(app);
     if (options.period == "auto") return automatic_period(options.cells);
     if (app.count("--period") > 0) return rectangle_lattice("--period", options.period);
     if (app.count("--lattice") > 0) return vector_lattice("--lattice", options.lattice);
     if (symmetry) return example_lattice(*symmetry);
-    return Lattice::rectangle(1, 1);
+    return plane::Lattice::rectangle(1, 1);
 }
 
 void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job) {
     require_one_site_source(app, options.input);
     if (app.count("--sites") > 0)
-        job.n_sites = whole_number("--sites", options.sites, 1, kMostSites);
+        job.n_sites = whole_number("--sites", options.sites, 1, plane::kMostSites);
     const bool draws_areas = job.areas && job.areas->is_drawn();
     if (!draws_areas) refuse_beside_input(app, {"--seed"});
     refuse_beside_input(app, {"--retry", "--start", "--symmetry"});
@@ -199,7 +199,7 @@ void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--mesh") == 0) return;
     job.meshes.clear();
     for (const std::string& name : options.meshes) {
-        const MeshKind kind = chosen_row("--mesh", name, kMeshKinds).kind;
+        const plane::MeshKind kind = chosen_row("--mesh", name, plane::kMeshKinds).kind;
         if (std::find(job.meshes.begin(), job.meshes.end(), kind) != job.meshes.end()) {
             throw InvalidInput("--mesh " + name + " is given twice; remove one");
         }
@@ -212,7 +212,7 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
         job.start = chosen_row("--start", options.start, start_rows()).start;
     }
     if (app.count("--solver") > 0) {
-        job.solver = chosen_row("--solver", options.solver, kSolvers).solver;
+        job.solver = chosen_row("--solver", options.solver, plane::kSolvers).solver;
     }
     if (app.count("--outline") > 0) {
         job.outline = chosen_row("--outline", options.outline, kOutlines).outline;
@@ -220,13 +220,13 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
 }
 
 void read_grains(const CLI::App& app, const MeshOptions& options, Job& job) {
-    const auto require_mesh = [&](const char* name, bool MeshKindRow::*property) {
+    const auto require_mesh = [&](const char* name, bool plane::MeshKindRow::*property) {
         if (app.count(name) == 0 || has_mesh(job, property)) return;
         throw InvalidInput(std::string(name) + " is for grains; add --mesh grains or leave it out");
     };
-    require_mesh("--size", &MeshKindRow::grain_size);
-    require_mesh("--per-edge", &MeshKindRow::grain_size);
-    require_mesh("--order", &MeshKindRow::order_2);
+    require_mesh("--size", &plane::MeshKindRow::grain_size);
+    require_mesh("--per-edge", &plane::MeshKindRow::grain_size);
+    require_mesh("--order", &plane::MeshKindRow::order_2);
     if (app.count("--size") > 0) job.grain_size = positive_number("--size", options.size);
     if (app.count("--per-edge") > 0) {
         job.grain_per_edge = whole_number("--per-edge", options.per_edge, 1, kMostPerEdge);
@@ -258,7 +258,7 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--origin") > 0) {
         job.finds_origin = options.origin == "auto";
         if (!job.finds_origin) job.origin = point("--origin", options.origin);
-        if (job.finds_origin && job.outline != Outline::kBox) {
+        if (job.finds_origin && job.outline != plane::Outline::kBox) {
             throw InvalidInput("--origin auto is for --outline box; add it, or give X,Y");
         }
     }
@@ -268,7 +268,7 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
             throw InvalidInput("--short-edges " + options.short_edges +
                                ": such edges are not short; take at most 0.5");
         }
-        if (!has_mesh(job, &MeshKindRow::short_edges)) {
+        if (!has_mesh(job, &plane::MeshKindRow::short_edges)) {
             throw InvalidInput(
                 "--short-edges is for cells and grains; take --mesh voronoi or leave it out");
         }
@@ -298,7 +298,7 @@ std::string report_file(const std::string& path) {
 Job make_job(const CLI::App& app, const MeshOptions& options) {
     Job job;
     if (app.count("--symmetry") > 0) {
-        job.symmetry = chosen_row("--symmetry", options.symmetry, kPlaneGroups).name;
+        job.symmetry = chosen_row("--symmetry", options.symmetry, plane::kPlaneGroups).name;
     }
     job.lattice = chosen_lattice(app, options, job.symmetry);
     read_cell_options(app, options.cells, job);

@@ -54,7 +54,7 @@ void refuse_foreign_options(const CLI::App& app) {
     }
 }
 
-SpaceLattice chosen_lattice(const CLI::App& app, const MeshOptions& options) {
+space::Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options) {
     require_one_lattice(app);
     return app.count("--period") > 0 ? box_lattice("--period", options.period)
                                      : space_lattice("--lattice", options.lattice);
@@ -64,7 +64,7 @@ void read_sites_options(const CLI::App& app, const MeshOptions& options, SpaceJo
     require_one_site_source(app, options.input);
     refuse_beside_input(app, {"--seed", "--start"});
     if (app.count("--sites") > 0) {
-        job.n_sites = whole_number("--sites", options.sites, 1, kMostSpaceSites);
+        job.n_sites = whole_number("--sites", options.sites, 1, space::kMostSites);
     }
     if (app.count("--seed") > 0) job.seed = seed_number("--seed", options.seed);
     if (app.count("--start") > 0)
@@ -97,7 +97,8 @@ constexpr int kFewestAnnouncedInSpace = 200'000;
 SpaceSummary run_watched(const SpaceJob& job, bool quiet) {
     const std::optional<double> available = available_memory();
     const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
-    ProgressDisplay display(body_centred_energy(job.lattice.volume(), n), job.tolerance, !quiet);
+    ProgressDisplay display(space::body_centred_energy(job.lattice.volume(), n), job.tolerance,
+                            !quiet);
     catch_cancel_signals();
     // The first progress follows the checks of the job, so that a refusal is one line.
     bool announces = n >= kFewestAnnouncedInSpace && !quiet;
@@ -113,7 +114,7 @@ SpaceSummary run_watched(const SpaceJob& job, bool quiet) {
 void read_short_edges(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
     if (app.count("--short-edges") == 0) return;
     job.short_edges = positive_number("--short-edges", options.short_edges);
-    if (job.short_edges <= kLongestSpaceShortEdge) return;
+    if (job.short_edges <= space::kLongestShortEdge) return;
     throw InvalidInput("--short-edges " + options.short_edges +
                        ": such edges are not short in space; take at most 0.1");
 }
@@ -144,7 +145,7 @@ void read_file_options(const CLI::App& app, const MeshOptions& options, SpaceJob
     throw InvalidInput("--surface is for " + surface_extensions() + "; add such a file with -o");
 }
 
-std::string vector_text(const Vec3& v) {
+std::string vector_text(const space::Vec3& v) {
     // Adding 0 turns -0 into 0.
     return "(" + figure(v.x() + 0.0) + ", " + figure(v.y() + 0.0) + ", " + figure(v.z() + 0.0) +
            ")";
@@ -152,7 +153,7 @@ std::string vector_text(const Vec3& v) {
 
 /// The best exact lattice, its energy and its stability.
 std::string pattern_lines(const SpacePatternOutcome& pattern, double bound) {
-    const SpacePattern& lattice = pattern.lattice;
+    const space::LatticePattern& lattice = pattern.lattice;
     std::string basis;
     for (int k = 0; k < 3; ++k) {
         basis += (k == 0 ? "" : " ") + vector_text(lattice.basis.col(k));
@@ -172,14 +173,14 @@ std::string face_text(const SpaceSummary& summary) {
     return figure(sum / summary.n_sites) + " a cell; cells with" + counts;
 }
 
-std::string seam_text(const PolyhedralProof& proof) {
+std::string seam_text(const space::PolyhedralProof& proof) {
     return std::to_string(2 * proof.n_boundary_pairs) + " boundary faces in " +
            std::to_string(proof.n_boundary_pairs) + " pairs by " +
            counted(proof.n_translations, "translation") +
            (proof.boundary_is_manifold ? "" : "; the boundary touches itself");
 }
 
-Eigen::ArrayXXd lattice_coordinates(const SpaceLattice& lattice, const Points3& points) {
+Eigen::ArrayXXd lattice_coordinates(const space::Lattice& lattice, const space::Points& points) {
     Eigen::ArrayXXd coordinates(3, points.cols());
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
         coordinates.col(s) = lattice.to_lattice(points.col(s));

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "mesher/base/error.hpp"
-#include "mesher/lattice/sites.hpp"
+#include "mesher/plane/geometry/sites.hpp"
 #include "plugin/cli/options/option_values.hpp"
 
 namespace pcvt::cli {
@@ -73,7 +73,8 @@ std::vector<int> site_numbers(const std::string& text) {
     std::vector<int> numbers;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
-        numbers.push_back(whole_number("--sites", text.substr(begin, end - begin), 1, kMostSites));
+        numbers.push_back(
+            whole_number("--sites", text.substr(begin, end - begin), 1, plane::kMostSites));
         begin = end + 1;
     }
     return numbers;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "mesher/lattice/domain.hpp"
+#include "mesher/plane/geometry/domain.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
 namespace pcvt::cli {
@@ -16,7 +16,7 @@ constexpr double kDomainMargin = 1e-9;
 constexpr int kFewestFractions = 4;
 constexpr double kSmallPart = 0.25;
 
-std::string vector_text(const Vec2& v) {
+std::string vector_text(const plane::Vec2& v) {
     // Adding 0 turns -0 into 0.
     return "(" + figure(v.x() + 0.0) + ", " + figure(v.y() + 0.0) + ")";
 }
@@ -35,8 +35,8 @@ Eigen::Index n_outside(const Eigen::ArrayXXd& periods) {
     return (periods < -kDomainMargin || periods > 1 + kDomainMargin).colwise().any().count();
 }
 
-Eigen::ArrayXXd lattice_coordinates(const Points& points, const Lattice& lattice,
-                                    const Vec2& corner) {
+Eigen::ArrayXXd lattice_coordinates(const plane::Points& points, const plane::Lattice& lattice,
+                                    const plane::Vec2& corner) {
     Eigen::ArrayXXd coordinates(2, points.cols());
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
         coordinates.col(s) = lattice.to_lattice(points.col(s) - corner);
@@ -45,13 +45,13 @@ Eigen::ArrayXXd lattice_coordinates(const Points& points, const Lattice& lattice
 }
 
 std::string site_text(const Job& job, const RunSummary& summary) {
-    const Domain domain(job.lattice, job.origin);
+    const plane::Domain domain(job.lattice, job.origin);
     return std::to_string(summary.n_sites) +
            domain_note(job.points.array(), lattice_coordinates(job.points, job.lattice, job.origin),
                        lattice_coordinates(job.points, domain.basis(), domain.corner()));
 }
 
-std::string grain_text(const GrainFigures& grains) {
+std::string grain_text(const plane::GrainFigures& grains) {
     const std::size_t n_sharp = grains.sharp_corners.size();
     return std::to_string(grains.n_triangles) + " triangles, angles from " +
            figure(grains.smallest_angle) + " degrees on" +
@@ -61,11 +61,11 @@ std::string grain_text(const GrainFigures& grains) {
 std::string tile_lines(const RunSummary& summary) {
     std::string text;
     if (!summary.tiles.empty()) {
-        const TileFigures& first = summary.tiles.front();
+        const plane::TileFigures& first = summary.tiles.front();
         text += summary_line("domain", vector_text(first.domain_corner) + " to " +
                                            vector_text(first.opposite_corner));
     }
-    for (const TileFigures& tile : summary.tiles) {
+    for (const plane::TileFigures& tile : summary.tiles) {
         text +=
             summary_line("seam", std::string(mesh_kind_row(tile.kind).word) + ", " +
                                      std::to_string(tile.n_boundary_edges) + " boundary edges in " +
@@ -90,7 +90,7 @@ std::string tile_lines(const RunSummary& summary) {
 
 /// The best exact lattice, its energy and its stability.
 std::string pattern_lines(const PatternOutcome& pattern) {
-    const LatticePattern& lattice = pattern.lattice;
+    const plane::LatticePattern& lattice = pattern.lattice;
     return summary_line("pattern", vector_text(lattice.basis.a()) + " " +
                                        vector_text(lattice.basis.b()) + ", energy " +
                                        figure(lattice.energy) + ", " +
@@ -112,7 +112,7 @@ std::string energy_text(const RunSummary& summary) {
     return text;
 }
 
-std::string density_lines(const DensityFigures& density) {
+std::string density_lines(const plane::DensityFigures& density) {
     std::string text = summary_line(
         "density", "from " + figure(density.least) + " to " + figure(density.greatest) + ", " +
                        figure(density.evaluations_per_site) + " evaluations a site");
@@ -154,7 +154,7 @@ std::string hole_text(const Job& job, const RunSummary& summary) {
     std::string names;
     for (const std::string& hole : job.holes) names += (names.empty() ? "" : ", ") + hole;
     int n_outside = 0;
-    for (const PhaseFigures& phase : summary.phases) {
+    for (const plane::PhaseFigures& phase : summary.phases) {
         const bool is_hole =
             std::find(job.holes.begin(), job.holes.end(), phase.name) != job.holes.end();
         if (!is_hole) n_outside += phase.n_cells;
@@ -164,7 +164,7 @@ std::string hole_text(const Job& job, const RunSummary& summary) {
 
 std::string phase_lines(const RunSummary& summary) {
     std::string text;
-    for (const PhaseFigures& phase : summary.phases) {
+    for (const plane::PhaseFigures& phase : summary.phases) {
         text += summary_line("phase", phase.name + " " + figure(phase.reached) +
                                           " of the area in " + std::to_string(phase.n_cells) +
                                           " cells; wanted " + figure(phase.wanted));
@@ -172,12 +172,12 @@ std::string phase_lines(const RunSummary& summary) {
     return text;
 }
 
-std::string angle_text(const AngleRange& angles) {
-    const auto range = [&](double BungeAngles::*angle) {
+std::string angle_text(const plane::AngleRange& angles) {
+    const auto range = [&](double plane::BungeAngles::*angle) {
         return figure(angles.least.*angle) + " to " + figure(angles.greatest.*angle);
     };
-    return "phi1 " + range(&BungeAngles::phi1) + ", Phi " + range(&BungeAngles::Phi) + ", phi2 " +
-           range(&BungeAngles::phi2) + " degrees";
+    return "phi1 " + range(&plane::BungeAngles::phi1) + ", Phi " + range(&plane::BungeAngles::Phi) +
+           ", phi2 " + range(&plane::BungeAngles::phi2) + " degrees";
 }
 
 std::string material_lines(const Job& job, const RunSummary& summary) {
@@ -209,7 +209,7 @@ std::string constraint_lines(const Job& job, const RunSummary& summary) {
         text += summary_line("symmetry", std::string(plane_group_row(*job.symmetry).word) + ", " +
                                              std::to_string(summary.n_orbits) + " orbits");
     }
-    if (job.walls != Walls::kNone) {
+    if (job.walls != plane::Walls::kNone) {
         const std::string on_walls = std::to_string(summary.n_on_walls) + " sites on walls";
         text += summary_line("walls", std::string(walls_row(job.walls).word) + ", " +
                                           wall_cells_row(job.wall_cells).word + " cells" +

@@ -7,9 +7,9 @@
 #include "io/outputs/recovery.hpp"
 #include "io/outputs/writable_paths.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/mesh/cell_table.hpp"
-#include "mesher/mesh/valence.hpp"
-#include "mesher/symmetry/folded_density.hpp"
+#include "mesher/plane/mesh/cell_table.hpp"
+#include "mesher/plane/mesh/valence.hpp"
+#include "mesher/plane/symmetry/folded_density.hpp"
 #include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_constraints.hpp"
 #include "plugin/job/job_files.hpp"
@@ -59,7 +59,7 @@ std::optional<double> area_scale(const Job& job) {
 }
 
 RunSummary summarize(const Job& job, const Computation& computation,
-                     std::span<const BuiltTile> tiles) {
+                     std::span<const plane::BuiltTile> tiles) {
     const Tessellation& cells = computation.cells;
     RunSummary summary;
     summary.run = cells.run;
@@ -70,7 +70,7 @@ RunSummary summarize(const Job& job, const Computation& computation,
     }
     if (job.stability) summary.minimum = minimum_of(cells);
     summary.n_mirrors = cells.counts.n_mirrors;
-    summary.valences = histogram(cell_sides(cells));
+    summary.valences = plane::histogram(cell_sides(cells));
     const auto hexagons = summary.valences.find(6);
     summary.n_hexagons = hexagons == summary.valences.end() ? 0 : hexagons->second;
     summary.density = cells.density;
@@ -82,9 +82,9 @@ RunSummary summarize(const Job& job, const Computation& computation,
     if (cells.walled) summary.n_on_walls = cells.walled->n_on_walls;
     summary.interfaces = cells.interfaces;
     summary.phases = computation.phases;
-    const std::vector<BungeAngles>& orientations = computation.materials.site_orientation;
+    const std::vector<plane::BungeAngles>& orientations = computation.materials.site_orientation;
     if (!orientations.empty()) summary.angles = angle_range(orientations);
-    for (const BuiltTile& tile : tiles) summary.tiles.push_back(tile.figures);
+    for (const plane::BuiltTile& tile : tiles) summary.tiles.push_back(tile.figures);
     summary.start = computation.start;
     return summary;
 }
@@ -110,7 +110,7 @@ std::vector<std::string> require_all_writable(const Job& job, const std::vector<
 
 /// Stages every file that its format can hold, and the report.
 void stage(const Job& job, const std::vector<JobFile>& files, const Computation& result,
-           std::span<const BuiltTile> tiles, JobMonitor& monitor, Stopwatch& watch,
+           std::span<const plane::BuiltTile> tiles, JobMonitor& monitor, Stopwatch& watch,
            RunSummary& summary, OutputSet& outputs) {
     const std::vector<std::string> refused =
         stage_files(job, files, result, tiles, monitor, outputs);
@@ -134,14 +134,16 @@ void stage(const Job& job, const std::vector<JobFile>& files, const Computation&
 std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
     if (!job.density) return {};
     if (job.symmetry) {
-        const Density folded = folded_density(*job.density, PlaneGroup(*job.symmetry, job.lattice));
+        const plane::Density folded =
+            folded_density(*job.density, plane::PlaneGroup(*job.symmetry, job.lattice));
         return densities_at(folded, job.lattice, wrapped_sites(cells, job.origin));
     }
     return densities_at(*job.density, job.lattice, wrapped_sites(cells, job.origin));
 }
 
 void add_materials(const Job& job, Computation& computation) {
-    const CellTable cells = cell_table(plane_mesh(computation.cells, MeshKind::kVoronoi));
+    const plane::CellTable cells =
+        cell_table(plane_mesh(computation.cells, plane::MeshKind::kVoronoi));
     if (job.has_inclusions()) {
         computation.materials = tag_materials(computation.cells);
         computation.phases = tag_figures(computation.cells, cells);
@@ -152,7 +154,7 @@ void add_materials(const Job& job, Computation& computation) {
 }
 
 Computation compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
-    const Metric metric = metric_of(job);
+    const plane::Metric metric = metric_of(job);
     const std::optional<Job> round =
         metric.is_round() ? std::nullopt : std::optional(in_round_space(job, metric));
     // Start, optimise, and map back.
@@ -167,7 +169,7 @@ Computation compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
     if (cells.run.stop == Stop::kCancelled) throw Cancelled{};
     cells.run.evaluations += start.evaluations;
     if (round) {
-        cells.elongation = Elongation{metric, job.lattice};
+        cells.elongation = plane::Elongation{metric, job.lattice};
         if (start.figures.pattern) map_back(metric, start.figures.pattern->lattice);
     }
     std::vector<double> densities = site_densities(job, cells);
@@ -186,7 +188,7 @@ RunSummary finish(const Job& job, const std::vector<JobFile>& files, const Compu
     OutputSet outputs;
     RunSummary summary;
     monitor.watch([&] {
-        const std::span<const BuiltTile> tiles = make_tiles(monitor);
+        const std::span<const plane::BuiltTile> tiles = make_tiles(monitor);
         summary = summarize(job, result, tiles);
         summary.constants = stated_constants(files, job.file_options, result.materials);
         watch.stop(&JobSeconds::build);
@@ -204,10 +206,10 @@ RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallb
                Stopwatch& watch) {
     JobMonitor monitor(callback, target_of(job));
     const Computation result = compute(job, monitor, watch);
-    std::vector<BuiltTile> tiles;
+    std::vector<plane::BuiltTile> tiles;
     const TileSource make_tiles = [&](JobMonitor&) {
         if (needs_tiles(job, files)) tiles = proved_tiles(job, result.cells, monitor);
-        return std::span<const BuiltTile>(tiles);
+        return std::span<const plane::BuiltTile>(tiles);
     };
     return finish(job, files, result, make_tiles, monitor, watch);
 }

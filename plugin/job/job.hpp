@@ -11,16 +11,16 @@
 #include "io/bytes/output_error.hpp"
 #include "io/run_files/inclusion_reader.hpp"
 #include "io/tiles/file_options.hpp"
-#include "mesher/areas/target_areas.hpp"
 #include "mesher/base/coincident_sites.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/cvt/cvt.hpp"
-#include "mesher/lattice/walls.hpp"
-#include "mesher/materials/material_choices.hpp"
-#include "mesher/materials/orientations.hpp"
-#include "mesher/search/lattice_stability.hpp"
-#include "mesher/symmetry/plane_group.hpp"
-#include "mesher/tile/build_tile.hpp"
+#include "mesher/plane/areas/target_areas.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
+#include "mesher/plane/geometry/walls.hpp"
+#include "mesher/plane/materials/material_choices.hpp"
+#include "mesher/plane/materials/orientations.hpp"
+#include "mesher/plane/search/lattice_stability.hpp"
+#include "mesher/plane/symmetry/plane_group.hpp"
+#include "mesher/plane/tile/build_tile.hpp"
 #include "plugin/job/job_progress.hpp"
 #include "plugin/job/tessellation.hpp"
 
@@ -32,13 +32,13 @@ enum class Start { kRandom, kCoarse, kLattice, kBest };
 
 /// The wished areas of the cells: drawn from a law, or given.
 struct WishedAreas {
-    AreaLaw law = {};
+    plane::AreaLaw law = {};
     /// One positive number a site, in any unit: scaled to the area of the domain. Empty: `law`.
     Eigen::VectorXd given = {};
     /// The law or the file, for the report.
     std::string name;
 
-    bool is_drawn() const { return given.size() == 0 && law.kind != AreaLaw::Kind::kEqual; }
+    bool is_drawn() const { return given.size() == 0 && law.kind != plane::AreaLaw::Kind::kEqual; }
 };
 
 /// Elongated cells: as Metric.
@@ -58,9 +58,9 @@ inline constexpr double kLongestShortEdge = 0.5;
 ///   job.outputs = {"tile.obj"};
 ///   const RunSummary summary = run_job(job, {});
 struct Job {
-    Lattice lattice = Lattice::rectangle(1, 1);
+    plane::Lattice lattice = plane::Lattice::rectangle(1, 1);
     /// The sites, 2 x n, length units. If there are no columns, `n_sites` sites begin at `start`.
-    Points points;
+    plane::Points points;
     int n_sites = 0;
     /// `nullopt`: coarse for 1000 sites or more, with a symmetry 1000 for each asymmetric unit,
     /// that are optimised without a density, else random.
@@ -72,7 +72,7 @@ struct Job {
     /// most so often. For drawn sites and outputs that can refuse.
     int retries = 0;
 
-    Solver solver = Solver::kLbfgs;
+    plane::Solver solver = plane::Solver::kLbfgs;
     double tolerance = 1e-6;
     /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given. With `areas`,
     /// the number of steps that move each site to the centroid of its cell.
@@ -83,7 +83,7 @@ struct Job {
     /// optimisation: minimum_of(). For at most kMostSitesForStability sites without a density.
     bool stability = false;
     /// `nullopt`: rho = 1. Random sites are drawn from rho^(1/2).
-    std::optional<Density> density;
+    std::optional<plane::Density> density;
     /// Its formula or file, for the report.
     std::string density_name;
     /// Cells of prescribed areas: power cells. Excludes a density, and starts and solvers of cells
@@ -93,16 +93,16 @@ struct Job {
     std::optional<Aspect> aspect;
     /// The sites are drawn, and remain, with the symmetry of this plane group; the lattice must fit
     /// it. Excludes given sites, areas, and starts that are not random.
-    std::optional<PlaneGroupName> symmetry;
+    std::optional<plane::PlaneGroupName> symmetry;
     /// The sides of the domain that are walls: it is then an upright rectangle with `origin` on
     /// them. Excludes aspect, symmetry, the stability, starts at a lattice, and copies
     /// across walls.
-    Walls walls = Walls::kNone;
-    WallCells wall_cells = WallCells::kWhole;
+    plane::Walls walls = plane::Walls::kNone;
+    plane::WallCells wall_cells = plane::WallCells::kWhole;
     /// Sites that stay where they are, 2 x k, length units; they are the first k of the n_sites,
     /// and the others are drawn. Excludes given sites, areas, symmetry, walls, inclusions, the
     /// stability, and starts that are not random.
-    Points fixed;
+    plane::Points fixed;
     /// What settle_duplicates() does with sites of `points`, or of `fixed`, that coincide with
     /// earlier ones.
     Duplicates duplicates = Duplicates::kRefuse;
@@ -117,7 +117,7 @@ struct Job {
     std::optional<InclusionFile> inclusions;
     /// Circular inclusions of the tag `fibre` in random places, drawn by `seed`; in place of
     /// `inclusions`, with the same exclusions.
-    std::optional<RandomCircles> fibres;
+    std::optional<plane::RandomCircles> fibres;
 
     /// Tags of inclusions whose cells are left out: the tile has holes there, with walls of these
     /// names. The sites of these cells are in no file and in no view, and the others are numbered
@@ -127,13 +127,13 @@ struct Job {
     bool has_inclusions() const { return inclusions || fibres; }
 
     /// Voronoi edges shorter than this are removed from cells and grains, units of h. 0: none,
-    /// except the shortest ones of grains (mesher/grains/grains.hpp).
+    /// except the shortest ones of grains (mesher/plane/grains/grains.hpp).
     double short_edges = 0;
 
     /// At least one, each at most once. If there are several, the word of the kind precedes the
     /// extension: tile-voronoi.obj. Not every kind has a box outline (mesh_kind.hpp).
-    std::vector<MeshKind> meshes = {MeshKind::kVoronoi};
-    Outline outline = Outline::kWhole;
+    std::vector<plane::MeshKind> meshes = {plane::MeshKind::kVoronoi};
+    plane::Outline outline = plane::Outline::kWhole;
     /// Edges of grains, length units; 0: h / 3, h = sqrt(area / number of sites).
     double grain_size = 0;
     /// The number of parts of each cell edge, which the triangles inside match; excludes
@@ -145,14 +145,14 @@ struct Job {
     int columns = 1;
     int rows = 1;
     /// Corner of the domain, length units.
-    Vec2 origin = Vec2::Zero();
+    plane::Vec2 origin = plane::Vec2::Zero();
     /// Whether the box outline is placed where its shortest edge becomes longest, and not at
     /// `origin`.
     bool finds_origin = false;
 
     /// Phases are spread and orientations drawn by `seed`; given orientations are those of the
     /// sites in their order.
-    MaterialChoices materials;
+    plane::MaterialChoices materials;
 
     /// The options of the command without paths, and without those that change no result, for files
     /// that state their history; empty for other hosts.
@@ -178,7 +178,7 @@ struct JobSeconds {
 
 /// The best exact lattice for the number of sites.
 struct PatternOutcome {
-    LatticePattern lattice;
+    plane::LatticePattern lattice;
     LatticeStability stability;
 };
 
@@ -199,8 +199,8 @@ struct Computation {
     /// rho at each site outside of holes; empty without a density.
     std::vector<double> site_densities;
     /// Of the sites outside of holes; empty without materials.
-    CellMaterials materials = {};
-    std::vector<PhaseFigures> phases = {};
+    plane::CellMaterials materials = {};
+    std::vector<plane::PhaseFigures> phases = {};
     /// Of the computation alone.
     JobSeconds seconds = {};
 };
@@ -222,7 +222,7 @@ struct RunSummary {
     std::map<int, int> valences;
     int n_hexagons = 0;
     /// Of jobs with a density.
-    std::optional<DensityFigures> density;
+    std::optional<plane::DensityFigures> density;
     /// Of jobs with areas.
     std::optional<AreaSummary> areas;
     /// Of jobs with a symmetry: the number of orbits of sites. Else 0.
@@ -232,13 +232,13 @@ struct RunSummary {
     /// Of jobs with inclusions.
     std::optional<InterfaceFigures> interfaces;
     /// Of jobs with phases, one entry each.
-    std::vector<PhaseFigures> phases;
+    std::vector<plane::PhaseFigures> phases;
     /// Of jobs with orientations.
-    std::optional<AngleRange> angles;
+    std::optional<plane::AngleRange> angles;
     /// The materials whose elastic constants the files state.
-    std::vector<NamedConstants> constants;
+    std::vector<plane::NamedConstants> constants;
     /// One entry for each mesh of the job.
-    std::vector<TileFigures> tiles;
+    std::vector<plane::TileFigures> tiles;
     /// The files and folders that were written, in the order of the outputs, without the report.
     std::vector<std::string> files;
     /// The outputs that were not written, in their order.
@@ -271,7 +271,7 @@ void check_job(const Job& job);
 std::optional<Computation> compute_job(const Job& job, const JobCallback& callback);
 /// Makes the tiles of a job, proved, one for each of job.meshes; they must outlive the call. May be
 /// empty if no output is a tile.
-using TileSource = std::function<std::span<const BuiltTile>(JobMonitor&)>;
+using TileSource = std::function<std::span<const plane::BuiltTile>(JobMonitor&)>;
 /// Writes job.outputs and job.report. The summary of a cancelled call has Stop::kCancelled.
 RunSummary write_job(const Job& job, const Computation& result, const TileSource& tiles,
                      const JobCallback& callback);

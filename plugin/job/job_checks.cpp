@@ -6,7 +6,7 @@
 
 #include "io/tiles/tile_file.hpp"
 #include "mesher/base/choices.hpp"
-#include "mesher/symmetry/special_positions.hpp"
+#include "mesher/plane/symmetry/special_positions.hpp"
 #include "plugin/job/job_constraints.hpp"
 #include "plugin/job/job_start.hpp"
 
@@ -22,7 +22,7 @@ constexpr double kUlps = 4;
 /// The most squares of the size of a grain: three triangles for each of them fit an int.
 constexpr double kMostGrainSquares = 1 << 27;
 
-Reduction reduce_repeated(const Job& job) {
+plane::Reduction reduce_repeated(const Job& job) {
     reduce(job.lattice);
     try {
         return reduce(job.lattice.repeated(job.columns, job.rows));
@@ -33,15 +33,15 @@ Reduction reduce_repeated(const Job& job) {
 }
 
 /// Requires that the offsets fit their integers, and that different vertices stay different.
-void check_origin(const Job& job, const Reduction& repeated, double n_sites) {
-    const Vec2 periods = repeated.reduced.to_lattice(job.origin);
+void check_origin(const Job& job, const plane::Reduction& repeated, double n_sites) {
+    const plane::Vec2 periods = repeated.reduced.to_lattice(job.origin);
     double largest = 1;
     for (const int entry : repeated.m) largest = std::max(largest, std::abs(double(entry)));
     const double rounding =
         kUlps * std::numeric_limits<double>::epsilon() * job.origin.cwiseAbs().maxCoeff();
     const double h = std::sqrt(job.lattice.area() / n_sites);
     if (!(periods.cwiseAbs().maxCoeff() * largest < kLargestOffset) ||
-        !(rounding <= kSameVertex * h)) {
+        !(rounding <= plane::kSameVertex * h)) {
         throw InvalidInput(
             "the origin is so far away that the tile would lose its digits; give a nearer one");
     }
@@ -69,11 +69,13 @@ void check_repetition(const Job& job) {
 
 void check_meshes(const Job& job) {
     if (job.meshes.empty()) {
-        throw InvalidInput("no mesh is given; take " + listed_words(kMeshKinds, ", ", " or "));
+        throw InvalidInput("no mesh is given; take " +
+                           listed_words(plane::kMeshKinds, ", ", " or "));
     }
-    const bool all_cut = std::all_of(job.meshes.begin(), job.meshes.end(),
-                                     [](MeshKind kind) { return mesh_kind_row(kind).box_outline; });
-    if (job.outline == Outline::kBox && !all_cut) {
+    const bool all_cut =
+        std::all_of(job.meshes.begin(), job.meshes.end(),
+                    [](plane::MeshKind kind) { return mesh_kind_row(kind).box_outline; });
+    if (job.outline == plane::Outline::kBox && !all_cut) {
         throw InvalidInput(
             "the box outline would cut Delaunay triangles, and cut ones are none; "
             "take the mesh grains with the box outline, or the whole outline");
@@ -83,7 +85,7 @@ void check_meshes(const Job& job) {
     if (job.grain_size > 0 && job.grain_per_edge > 0) {
         throw InvalidInput("grains have a size and parts of an edge; take one of the two");
     }
-    if (has_mesh(job, &MeshKindRow::grain_size)) check_grains(job);
+    if (has_mesh(job, &plane::MeshKindRow::grain_size)) check_grains(job);
 }
 
 void check_stability(const Job& job, double n_sites) {
@@ -91,9 +93,9 @@ void check_stability(const Job& job, double n_sites) {
     if (job.density) {
         throw InvalidInput("the stability of a run with a density is not known; leave one out");
     }
-    if (n_sites > kMostSitesForStability) {
+    if (n_sites > plane::kMostSitesForStability) {
         throw InvalidInput("the stability is known of at most " +
-                           std::to_string(kMostSitesForStability) +
+                           std::to_string(plane::kMostSitesForStability) +
                            " sites; leave it out, or take fewer sites");
     }
 }
@@ -146,11 +148,11 @@ void check_symmetry(const Job& job) {
     if (job.areas) {
         throw InvalidInput("cells of prescribed areas have no symmetry; leave one of the two out");
     }
-    const PlaneGroup group(*job.symmetry, job.lattice);
+    const plane::PlaneGroup group(*job.symmetry, job.lattice);
     distribute(group, special_positions(group), job.n_sites);
     if (!job.aspect) return;
     try {
-        const PlaneGroup round(*job.symmetry, metric_of(job).to_round(job.lattice));
+        const plane::PlaneGroup round(*job.symmetry, metric_of(job).to_round(job.lattice));
     } catch (const InvalidInput& error) {
         throw InvalidInput(std::string("elongated by the aspect: ") + error.what());
     }
@@ -173,8 +175,8 @@ void check_wall_starts(const Job& job) {
 }
 
 void check_walls(const Job& job) {
-    if (job.walls == Walls::kNone) {
-        if (job.wall_cells == WallCells::kWhole) return;
+    if (job.walls == plane::Walls::kNone) {
+        if (job.wall_cells == plane::WallCells::kWhole) return;
         throw InvalidInput("half cells lie on walls, but there are none; give the walls");
     }
     if (!is_upright(job.lattice)) {
@@ -192,14 +194,14 @@ void check_walls(const Job& job) {
         throw InvalidInput(
             "walls lie at 0 and at the period; give an origin along the walls only, or none");
     }
-    const bool is_half = job.wall_cells == WallCells::kHalf;
+    const bool is_half = job.wall_cells == plane::WallCells::kHalf;
     if (is_half && job.max_iterations == 0) {
         throw InvalidInput(
             "the sites beside walls move onto them step by step; allow iterations, or take whole "
             "cells");
     }
-    const bool has_triangles =
-        std::find(job.meshes.begin(), job.meshes.end(), MeshKind::kDelaunay) != job.meshes.end();
+    const bool has_triangles = std::find(job.meshes.begin(), job.meshes.end(),
+                                         plane::MeshKind::kDelaunay) != job.meshes.end();
     if (has_triangles && !is_half) {
         throw InvalidInput(
             "Delaunay triangles cross the walls unless sites lie on them; take half cells at the "
@@ -209,9 +211,9 @@ void check_walls(const Job& job) {
 
 }  // namespace
 
-bool has_mesh(const Job& job, bool MeshKindRow::*property) {
+bool has_mesh(const Job& job, bool plane::MeshKindRow::*property) {
     return std::any_of(job.meshes.begin(), job.meshes.end(),
-                       [property](MeshKind kind) { return mesh_kind_row(kind).*property; });
+                       [property](plane::MeshKind kind) { return mesh_kind_row(kind).*property; });
 }
 
 void check_retries(const Job& job, const std::vector<JobFile>& files) {
@@ -244,8 +246,8 @@ void check_job(const Job& job) {
     check_stability(job, n);
     require_orientations(job.materials, static_cast<int>(n));
     check_meshes(job);
-    if (n * job.columns * job.rows > kMostSites) {
-        throw LimitExceeded("more than " + std::to_string(kMostSites) +
+    if (n * job.columns * job.rows > plane::kMostSites) {
+        throw LimitExceeded("more than " + std::to_string(plane::kMostSites) +
                             " cells in one tile; take fewer sites or repeat less often");
     }
     check_origin(job, reduce_repeated(job), n);

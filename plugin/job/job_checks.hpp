@@ -9,7 +9,7 @@ namespace pcvt {
 
 /// Whether some mesh of the job has a property of the table of mesh kinds:
 ///   if (!has_mesh(job, &MeshKindRow::order_2)) throw InvalidInput("--order is for grains");
-bool has_mesh(const Job& job, bool MeshKindRow::*property);
+bool has_mesh(const Job& job, bool plane::MeshKindRow::*property);
 
 /// Requires that retries have an effect: drawn sites, and an output that can refuse their cells.
 /// @throws InvalidInput if they have none.

@@ -6,10 +6,10 @@
 
 #include "io/bytes/nearest_word.hpp"
 #include "io/bytes/text.hpp"
-#include "mesher/cvt/interface_cvt.hpp"
-#include "mesher/lattice/set_names.hpp"
-#include "mesher/mesh/interface_proof.hpp"
-#include "mesher/mesh/voronoi.hpp"
+#include "mesher/plane/cvt/interface_cvt.hpp"
+#include "mesher/plane/geometry/set_names.hpp"
+#include "mesher/plane/mesh/interface_proof.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
 
 namespace pcvt {
 namespace {
@@ -38,7 +38,7 @@ constexpr std::array kExclusions{
 };
 
 constexpr std::array kFixedExclusions{
-    Exclusion{[](const Job& job) { return job.walls != Walls::kNone; },
+    Exclusion{[](const Job& job) { return job.walls != plane::Walls::kNone; },
               "fixed sites need a plane that is periodic along both directions; leave the walls "
               "out"},
 };
@@ -66,7 +66,7 @@ void require_none(std::span<const Exclusion> exclusions, const Job& job) {
 /// The inclusions of the user, or random fibres.
 InclusionFile inclusions_of(const Job& job) {
     if (job.inclusions) return *job.inclusions;
-    RandomCircles wanted = *job.fibres;
+    plane::RandomCircles wanted = *job.fibres;
     wanted.seed = job.seed;
     wanted.walls = job.walls;
     return {.name = "fibres",
@@ -82,7 +82,7 @@ std::vector<std::string> inclusion_tags(const Job& job) {
 /// @param names  of all phases and tags.
 void require_free_name(const std::string& kind, const std::string& name,
                        const std::vector<std::string>& names) {
-    const std::optional<std::string> set = set_with_name(name, names);
+    const std::optional<std::string> set = plane::set_with_name(name, names);
     if (!set) return;
     throw InvalidInput(kind + " " + name + " has the name of a set in files (" + *set +
                        "); rename it");
@@ -92,12 +92,12 @@ void require_free_name(const std::string& kind, const std::string& name,
 /// names.
 void check_names(const Job& job) {
     std::vector<std::string> names;
-    for (const PhaseFraction& phase : job.materials.phases) names.push_back(phase.name);
+    for (const plane::PhaseFraction& phase : job.materials.phases) names.push_back(phase.name);
     for (const std::string& phase : names) require_free_name("the phase", phase, names);
     if (!job.inclusions) return;
     names = job.inclusions->tags;
     names.emplace_back(kMatrixTag);
-    for (const Inclusion& inclusion : job.inclusions->inclusions) {
+    for (const plane::Inclusion& inclusion : job.inclusions->inclusions) {
         const std::string where =
             job.inclusions->name + ":" + std::to_string(inclusion.line) + ": the tag";
         require_free_name(where, job.inclusions->tags[inclusion.tag - 1], names);
@@ -134,8 +134,8 @@ void check_holes(const Job& job) {
 }
 
 /// The sites of the holes of a job.
-HoleSites hole_sites(const Job& job, const Tessellation& cells) {
-    HoleSites holes{.names = job.holes};
+plane::HoleSites hole_sites(const Job& job, const Tessellation& cells) {
+    plane::HoleSites holes{.names = job.holes};
     if (holes.empty()) return holes;
     for (const int tag : cells.site_tags) {
         const auto hole = std::find(job.holes.begin(), job.holes.end(), cells.tag_names[tag]);
@@ -171,7 +171,7 @@ void set_tags(const InclusionFile& file, Tessellation& cells) {
     cells.tag_names.insert(cells.tag_names.end(), file.tags.begin(), file.tags.end());
     cells.tag_areas.assign(cells.tag_names.size(), 0);
     cells.tag_areas[0] = cells.lattice().area();
-    for (const Inclusion& inclusion : file.inclusions) {
+    for (const plane::Inclusion& inclusion : file.inclusions) {
         const double area = shape_area(inclusion.shape);
         cells.tag_areas[inclusion.tag] += area;
         cells.tag_areas[0] -= area;
@@ -192,26 +192,27 @@ void check_constraints(const Job& job) {
     if (!job.has_inclusions()) return;
     require_none(kInclusionExclusions, job);
     if (job.fibres) {
-        require_sites(job, job.fibres->n * fewest_seeds(Circle{.centre = {0, 0}, .radius = 1}));
+        require_sites(job,
+                      job.fibres->n * fewest_seeds(plane::Circle{.centre = {0, 0}, .radius = 1}));
         return;
     }
     named(*job.inclusions, [&] {
         double fewest = 0;
-        for (const Inclusion& shape : job.inclusions->inclusions)
+        for (const plane::Inclusion& shape : job.inclusions->inclusions)
             fewest += fewest_seeds(shape.shape);
         require_sites(job, fewest);
-        return InclusionSet(job.lattice, job.inclusions->inclusions, job.walls);
+        return plane::InclusionSet(job.lattice, job.inclusions->inclusions, job.walls);
     });
 }
 
-Tessellation compute_cells_with_inclusions(const Job& job, const CvtOptions& options) {
+Tessellation compute_cells_with_inclusions(const Job& job, const plane::CvtOptions& options) {
     const InclusionFile file = inclusions_of(job);
-    InterfaceCvt result = named(file, [&] {
-        InclusionSet set(job.lattice, file.inclusions, job.walls);
-        if (job.outline == Outline::kBox && !job.finds_origin) set.set_box(job.origin);
+    plane::InterfaceCvt result = named(file, [&] {
+        plane::InclusionSet set(job.lattice, file.inclusions, job.walls);
+        if (job.outline == plane::Outline::kBox && !job.finds_origin) set.set_box(job.origin);
         return compute_interface_cvt(set, job.n_sites, job.seed, options, job.wall_cells);
     });
-    const PeriodicMesh cells = cell_mesh(result.cvt.delaunay);
+    const plane::PeriodicMesh cells = cell_mesh(result.cvt.delaunay);
     if (const auto wrong = interface_violation(cells, result.interfaces, result.inclusion)) {
         throw InternalError(*wrong);
     }
@@ -233,12 +234,12 @@ Tessellation compute_cells_with_inclusions(const Job& job, const CvtOptions& opt
     return tessellation;
 }
 
-CellMaterials tag_materials(const Tessellation& tessellation) {
-    const HoleSites& holes = tessellation.holes;
+plane::CellMaterials tag_materials(const Tessellation& tessellation) {
+    const plane::HoleSites& holes = tessellation.holes;
     if (holes.empty()) {
         return {.phase_names = tessellation.tag_names, .site_phase = tessellation.site_tags};
     }
-    CellMaterials materials;
+    plane::CellMaterials materials;
     std::vector<int> phase_of_tag;
     for (const std::string& name : tessellation.tag_names) {
         const bool is_hole =
@@ -254,7 +255,7 @@ CellMaterials tag_materials(const Tessellation& tessellation) {
 
 std::vector<std::string> file_phases(const Job& job) {
     std::vector<std::string> names;
-    for (const PhaseFraction& phase : job.materials.phases) names.push_back(phase.name);
+    for (const plane::PhaseFraction& phase : job.materials.phases) names.push_back(phase.name);
     if (!job.has_inclusions()) return names;
     names = {kMatrixTag};
     for (const std::string& tag : inclusion_tags(job)) {
@@ -264,14 +265,15 @@ std::vector<std::string> file_phases(const Job& job) {
     return names;
 }
 
-std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation, const CellTable& cells) {
-    MaterialChoices tags;
+std::vector<plane::PhaseFigures> tag_figures(const Tessellation& tessellation,
+                                             const plane::CellTable& cells) {
+    plane::MaterialChoices tags;
     for (std::size_t k = 0; k < tessellation.tag_names.size(); ++k) {
         const double share = tessellation.tag_areas[k] / tessellation.lattice().area();
         tags.phases.push_back({tessellation.tag_names[k], share});
     }
-    const CellMaterials of_all{.phase_names = tessellation.tag_names,
-                               .site_phase = tessellation.site_tags};
+    const plane::CellMaterials of_all{.phase_names = tessellation.tag_names,
+                                      .site_phase = tessellation.site_tags};
     return phase_figures(tags, of_all, cells);
 }
 

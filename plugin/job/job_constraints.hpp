@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mesher/cvt/cvt.hpp"
-#include "mesher/mesh/cell_table.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
+#include "mesher/plane/mesh/cell_table.hpp"
 #include "plugin/job/job.hpp"
 
 namespace pcvt {
@@ -19,17 +19,18 @@ void check_constraints(const Job& job);
 /// @param options  as compute_interface_cvt() takes them.
 /// @throws InvalidInput  there are too few sites for the shapes.
 /// @throws InternalError  an outline is no edge of the cells: a fault of pcvt.
-Tessellation compute_cells_with_inclusions(const Job& job, const CvtOptions& options);
+Tessellation compute_cells_with_inclusions(const Job& job, const plane::CvtOptions& options);
 
 /// The tags of a run with inclusions as the phases of its cells, in the order matrix, 1, 2, ...,
 /// without those of holes; one entry a site outside of holes.
-CellMaterials tag_materials(const Tessellation& tessellation);
+plane::CellMaterials tag_materials(const Tessellation& tessellation);
 
 /// The names of the phases of a job, or of its tags outside of holes, as tag_materials() has them.
 std::vector<std::string> file_phases(const Job& job);
 
 /// One entry a tag, also of holes; wanted are the areas of the shapes.
 /// @param cells  of all sites.
-std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation, const CellTable& cells);
+std::vector<plane::PhaseFigures> tag_figures(const Tessellation& tessellation,
+                                             const plane::CellTable& cells);
 
 }  // namespace pcvt

@@ -6,7 +6,7 @@
 
 #include "io/run_files/density_expression.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/density/density_breaks.hpp"
+#include "mesher/plane/density/density_breaks.hpp"
 
 namespace pcvt {
 
@@ -29,7 +29,7 @@ bool names_no_file(const std::string& source) {
     return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
 }
 
-Density read_formula(const std::string& source) {
+plane::Density read_formula(const std::string& source) {
     try {
         return expression_density(source);
     } catch (const InvalidInput&) {
@@ -53,8 +53,8 @@ void refuse_foreign_picture(const std::string& source) {
 
 }  // namespace
 
-Density source_density(const std::string& source, const std::optional<GreyRange>& range,
-                       const Lattice& lattice) {
+plane::Density source_density(const std::string& source, const std::optional<GreyRange>& range,
+                              const plane::Lattice& lattice) {
     if (!names_picture(source)) {
         if (range) throw InvalidInput("a range of densities is for pictures; leave it out");
         refuse_foreign_picture(source);
@@ -62,7 +62,7 @@ Density source_density(const std::string& source, const std::optional<GreyRange>
     }
     const GreyRange greys = range.value_or(GreyRange{});
     for (const double limit : {greys.black, greys.white}) {
-        if (!(limit >= kLeastDensity && limit <= kGreatestDensity)) {
+        if (!(limit >= plane::kLeastDensity && limit <= plane::kGreatestDensity)) {
             throw InvalidInput("a range of densities is not from 1e-60 to 1e60");
         }
     }

@@ -20,7 +20,7 @@ bool names_picture(const std::string& source);
 /// @throws InvalidInput  a range for a formula, or one outside of the limits of densities; also
 /// what
 ///                       expression_density, png_density and with_axis_breaks throw.
-Density source_density(const std::string& source, const std::optional<GreyRange>& range,
-                       const Lattice& lattice);
+plane::Density source_density(const std::string& source, const std::optional<GreyRange>& range,
+                              const plane::Lattice& lattice);
 
 }  // namespace pcvt

@@ -35,10 +35,12 @@ std::string nearest_extension(const std::string& extension) {
                        "; take one of " + output_extensions());
 }
 
-std::string kind_suffix(MeshKind kind) { return std::string("-") + mesh_kind_row(kind).word; }
+std::string kind_suffix(plane::MeshKind kind) {
+    return std::string("-") + mesh_kind_row(kind).word;
+}
 
 /// @param kind  of the mesh that goes into the file; any one where the format needs no tile.
-void check_format(const Job& job, const TileFormat& format, MeshKind kind,
+void check_format(const Job& job, const TileFormat& format, plane::MeshKind kind,
                   const std::string& path) {
     if (format.needs_torus() && (job.areas || job.aspect)) {
         throw InvalidInput("-o " + path +
@@ -54,7 +56,7 @@ void check_format(const Job& job, const TileFormat& format, MeshKind kind,
     }
     // Beside a mesh of cells, the file of the triangles may lack what belongs to cells.
     const bool needs_cells =
-        !format.holds_polygons || !has_mesh(job, &MeshKindRow::faces_have_sites);
+        !format.holds_polygons || !has_mesh(job, &plane::MeshKindRow::faces_have_sites);
     if (format.states_materials && (job.has_inclusions() || !job.materials.empty()) &&
         !mesh_kind_row(kind).faces_have_sites && needs_cells) {
         throw InvalidInput("-o " + path +
@@ -75,7 +77,7 @@ void add_output(const Job& job, const std::string& path, std::vector<JobFile>& f
         }
     }
     if (!format->needs_tile()) {
-        check_format(job, *format, MeshKind::kVoronoi, path);
+        check_format(job, *format, plane::MeshKind::kVoronoi, path);
         files.push_back({format->paths(path), format});
         return;
     }
@@ -118,7 +120,7 @@ constexpr FileChoice kFileChoices[] = {
     {"a number of pixels", &TileFormat::takes_pixels,
      [](const Job& job) { return job.file_options.pixels != 0; }},
     {"a number of voxels", &TileFormat::takes_voxels,
-     [](const Job& job) { return job.file_options.voxels != VoxelCounts{}; }},
+     [](const Job& job) { return job.file_options.voxels != plane::VoxelCounts{}; }},
     {"a Coriolis parameter", &TileFormat::takes_coriolis,
      [](const Job& job) { return job.file_options.coriolis.has_value(); }},
     {"a width to cut", &TileFormat::takes_cut_width,
@@ -209,7 +211,7 @@ void check_colouring(const Job& job, Colouring colouring) {
 
 }  // namespace
 
-FormatRequest format_request(const Job& job, MeshKind kind) {
+FormatRequest format_request(const Job& job, plane::MeshKind kind) {
     return {.lattice = job.lattice.repeated(job.columns, job.rows),
             .kind = kind,
             .outline = job.outline,
@@ -289,16 +291,16 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files,
     }
     check_constants(job, files, phases);
     if (job.file_options.gltf_nodes == GltfNodes::kCells &&
-        !has_mesh(job, &MeshKindRow::faces_have_sites)) {
+        !has_mesh(job, &plane::MeshKindRow::faces_have_sites)) {
         throw InvalidInput(
             "Delaunay triangles have no cells that could be nodes; take the mesh voronoi or "
             "grains, or leave the glTF nodes out");
     }
 }
 
-std::vector<NamedConstants> stated_constants(const std::vector<JobFile>& files,
-                                             const FileOptions& options,
-                                             const CellMaterials& materials) {
+std::vector<plane::NamedConstants> stated_constants(const std::vector<JobFile>& files,
+                                                    const FileOptions& options,
+                                                    const plane::CellMaterials& materials) {
     for (const JobFile& file : files) {
         const bool is_chosen =
             !options.elastic.materials.empty() && states_chosen_constants(file, options);

@@ -21,7 +21,7 @@ struct JobFile {
 };
 
 /// The content that a job has for a file, besides the density.
-FormatRequest format_request(const Job& job, MeshKind kind);
+FormatRequest format_request(const Job& job, plane::MeshKind kind);
 
 /// The files of a job in the order of its outputs, without the report.
 ///
@@ -57,9 +57,9 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files,
                         const std::vector<std::string>& phases);
 
 /// The materials with the elastic constants that the files state, of a job of a solver or chosen.
-std::vector<NamedConstants> stated_constants(const std::vector<JobFile>& files,
-                                             const FileOptions& options,
-                                             const CellMaterials& materials);
+std::vector<plane::NamedConstants> stated_constants(const std::vector<JobFile>& files,
+                                                    const FileOptions& options,
+                                                    const plane::CellMaterials& materials);
 
 /// The colour of "none" or "#rrggbb".
 /// @throws InvalidInput for other words.

@@ -108,15 +108,16 @@ double n_grain_triangles(const Job& job) {
     return kTrianglesPerSquare * squares * (job.order == 2 ? kOrder2 : 1);
 }
 
-double mesh_bytes(const Job& job, MeshKind kind, const FormatMemory& bytes) {
+double mesh_bytes(const Job& job, plane::MeshKind kind, const FormatMemory& bytes) {
     if (mesh_kind_row(kind).grain_size) return bytes.grain * n_grain_triangles(job);
     const double copies = double(job.columns) * job.rows;
-    const double a_site = kind == MeshKind::kVoronoi ? bytes.cell : 2 * bytes.triangle;
+    const double a_site = kind == plane::MeshKind::kVoronoi ? bytes.cell : 2 * bytes.triangle;
     return a_site * n_sites(job) * (kOfSites + (1 - kOfSites) * copies);
 }
 
 double voxel_bytes(const Job& job) {
-    const VoxelCounts counts = requested_voxels(format_request(job, MeshKind::kVoronoi));
+    const plane::VoxelCounts counts =
+        requested_voxels(format_request(job, plane::MeshKind::kVoronoi));
     return double(counts.x) * counts.y * (kVoxel + kVoxelOfALayer * (counts.z - 1));
 }
 
@@ -126,8 +127,8 @@ double file_bytes(const Job& job, const JobFile& file) {
         return f.extension == file.format->extension;
     });
     if (row == kFormats.end()) return 0;
-    const MeshKind kind =
-        file.mesh < 0 ? MeshKind::kVoronoi : job.meshes[static_cast<std::size_t>(file.mesh)];
+    const plane::MeshKind kind =
+        file.mesh < 0 ? plane::MeshKind::kVoronoi : job.meshes[static_cast<std::size_t>(file.mesh)];
     const double side = job.file_options.pixels != 0 ? job.file_options.pixels : kDefaultPixels;
     const double pixels = file.format->takes_pixels ? kPixel * side * side : 0;
     return mesh_bytes(job, kind, *row) + pixels +
@@ -155,7 +156,7 @@ double tile_bytes(const Job& job, const std::vector<JobFile>& files) {
         meshes += (k == 0 ? 1 : kBesideAnother) * writing[k];
     // All tiles of a job are built before the first file is written.
     if (needs_tiles(job, files)) {
-        const FormatMemory& built = job.outline == Outline::kBox ? kBuiltBox : kBuilt;
+        const FormatMemory& built = job.outline == plane::Outline::kBox ? kBuiltBox : kBuilt;
         meshes = std::max(meshes, mesh_bytes(job, job.meshes.front(), built));
         for (std::size_t k = 1; k < job.meshes.size(); ++k) {
             meshes += mesh_bytes(job, job.meshes[k], kHeld);
@@ -164,7 +165,7 @@ double tile_bytes(const Job& job, const std::vector<JobFile>& files) {
     if (job.aspect) {
         // The cells are counted in the plane in any case.
         meshes = std::max(meshes + mesh_bytes(job, job.meshes.front(), kMapped),
-                          mesh_bytes(job, MeshKind::kVoronoi, kBuilt));
+                          mesh_bytes(job, plane::MeshKind::kVoronoi, kBuilt));
     }
     return meshes;
 }
@@ -194,7 +195,7 @@ void require_memory_to_write(const Job& job, const std::vector<JobFile>& files) 
     require_available("the files take", tile_bytes(job, files) - held, kFewerOutputs);
 }
 
-void require_memory_for_mesh(const Job& job, MeshKind kind) {
+void require_memory_for_mesh(const Job& job, plane::MeshKind kind) {
     const double copies = double(job.columns) * job.rows;
     if (mesh_kind_row(kind).grain_size) {
         require_available("the tile takes",
@@ -202,8 +203,9 @@ void require_memory_for_mesh(const Job& job, MeshKind kind) {
                           "take fewer sites, or larger grains");
         return;
     }
-    const double boxed = job.outline == Outline::kBox ? kBoxedCells : 1;
-    const double a_site = kind == MeshKind::kVoronoi ? boxed * kHanded.cell : 2 * kHanded.triangle;
+    const double boxed = job.outline == plane::Outline::kBox ? kBoxedCells : 1;
+    const double a_site =
+        kind == plane::MeshKind::kVoronoi ? boxed * kHanded.cell : 2 * kHanded.triangle;
     require_available("the mesh takes", a_site * n_sites(job) * copies,
                       copies > 1 ? "take fewer sites or copies" : "take fewer sites");
 }

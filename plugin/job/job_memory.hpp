@@ -39,7 +39,7 @@ void require_memory_to_write(const Job& job, const std::vector<JobFile>& files);
 /// Refuses a mesh of sites that are in memory already where it cannot fit: a tile of this kind,
 /// with the outline, the copies and the grains of the job.
 /// @throws LimitExceeded with both amounts.
-void require_memory_for_mesh(const Job& job, MeshKind kind);
+void require_memory_for_mesh(const Job& job, plane::MeshKind kind);
 
 /// An amount of memory in words: "18.3 GB", or "18.3 MB" below 0.1 GB.
 std::string memory_text(double bytes);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/cvt/cvt.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
 
 namespace pcvt {
 

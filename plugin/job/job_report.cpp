@@ -22,7 +22,7 @@ std::optional<Report::Pattern> report_pattern(const std::optional<PatternOutcome
 /// The shortest over all tiles of the run.
 std::optional<double> shortest_box_edge(const RunSummary& summary) {
     std::optional<double> shortest;
-    for (const TileFigures& tile : summary.tiles) {
+    for (const plane::TileFigures& tile : summary.tiles) {
         if (!tile.box_shortest_edge) continue;
         shortest = std::min(shortest.value_or(*tile.box_shortest_edge), *tile.box_shortest_edge);
     }
@@ -30,10 +30,10 @@ std::optional<double> shortest_box_edge(const RunSummary& summary) {
 }
 
 std::optional<Report::Grains> report_grains(const RunSummary& summary) {
-    for (const TileFigures& tile : summary.tiles) {
+    for (const plane::TileFigures& tile : summary.tiles) {
         if (!tile.grains) continue;
         Report::Grains grains{tile.grains->n_triangles, tile.grains->smallest_angle, {}};
-        for (const SharpGrainCorner& corner : tile.grains->sharp_corners) {
+        for (const plane::SharpGrainCorner& corner : tile.grains->sharp_corners) {
             grains.sharp_corners.push_back({corner.site, corner.point, corner.angle});
         }
         return grains;
@@ -43,7 +43,7 @@ std::optional<Report::Grains> report_grains(const RunSummary& summary) {
 
 std::optional<Report::Density> report_density(const Job& job, const RunSummary& summary) {
     if (!summary.density) return std::nullopt;
-    const DensityFigures& figures = *summary.density;
+    const plane::DensityFigures& figures = *summary.density;
     return Report::Density{.name = job.density_name,
                            .least = figures.least,
                            .greatest = figures.greatest,
@@ -59,7 +59,7 @@ std::optional<Report::Density> report_density(const Job& job, const RunSummary& 
 /// The largest over all tiles of the run.
 std::optional<double> largest_area_error(const RunSummary& summary) {
     std::optional<double> largest;
-    for (const TileFigures& tile : summary.tiles) {
+    for (const plane::TileFigures& tile : summary.tiles) {
         if (!tile.area_error) continue;
         largest = std::max(largest.value_or(*tile.area_error), *tile.area_error);
     }
@@ -90,7 +90,7 @@ std::optional<Report::Symmetry> report_symmetry(const Job& job, const RunSummary
 }
 
 std::optional<Report::Walls> report_walls(const Job& job, const RunSummary& summary) {
-    if (job.walls == Walls::kNone) return std::nullopt;
+    if (job.walls == plane::Walls::kNone) return std::nullopt;
     return Report::Walls{walls_row(job.walls).word, wall_cells_row(job.wall_cells).word,
                          summary.n_on_walls};
 }
@@ -99,9 +99,9 @@ std::optional<Report::Inclusions> report_inclusions(const Job& job, const RunSum
     if (!summary.interfaces) return std::nullopt;
     const InterfaceFigures& figures = *summary.interfaces;
     std::vector<std::array<double, 3>> fibres;
-    for (const Inclusion& inclusion : figures.shapes) {
+    for (const plane::Inclusion& inclusion : figures.shapes) {
         if (!figures.are_drawn) break;
-        const auto& [centre, radius] = std::get<Circle>(inclusion.shape);
+        const auto& [centre, radius] = std::get<plane::Circle>(inclusion.shape);
         fibres.push_back({centre.x(), centre.y(), radius});
     }
     return Report::Inclusions{.source = figures.source,
@@ -115,7 +115,7 @@ std::optional<Report::Inclusions> report_inclusions(const Job& job, const RunSum
 
 std::vector<Report::Phase> report_phases(const RunSummary& summary) {
     std::vector<Report::Phase> phases;
-    for (const PhaseFigures& phase : summary.phases) {
+    for (const plane::PhaseFigures& phase : summary.phases) {
         phases.push_back({phase.name, phase.wanted, phase.reached, phase.n_cells});
     }
     return phases;

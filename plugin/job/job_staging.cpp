@@ -17,7 +17,7 @@ namespace {
 class FileEncoder {
    public:
     FileEncoder(const Job& job, const JobFile& file, const Computation& result,
-                std::span<const BuiltTile> tiles)
+                std::span<const plane::BuiltTile> tiles)
         : job_(job), file_(file), result_(result), tiles_(tiles) {}
 
     std::vector<EncodedFile> encode() const { return std::visit(*this, file_.format->write); }
@@ -27,8 +27,8 @@ class FileEncoder {
         return write(tile(), tile_options(), path());
     }
     std::vector<EncodedFile> operator()(TorusWriter* write) const {
-        const PeriodicMesh cells =
-            repeated(plane_mesh(result_.cells, MeshKind::kVoronoi), job_.columns, job_.rows);
+        const plane::PeriodicMesh cells =
+            repeated(plane_mesh(result_.cells, plane::MeshKind::kVoronoi), job_.columns, job_.rows);
         try {
             return write({.cells = cells,
                           .origin = job_.origin,
@@ -49,21 +49,23 @@ class FileEncoder {
     }
 
     std::vector<EncodedFile> operator()(VoxelWriter* write) const {
-        const VoxelCounts counts = requested_voxels(format_request(job_, MeshKind::kVoronoi));
-        const VoxelGrid grid =
+        const plane::VoxelCounts counts =
+            requested_voxels(format_request(job_, plane::MeshKind::kVoronoi));
+        const plane::VoxelGrid grid =
             voxel_grid(job_.lattice.repeated(job_.columns, job_.rows), job_.origin, counts);
-        const VoxelCells cells{
-            .lattice = job_.lattice,
-            .sites = sites(),
-            .weights = site_weights(result_.cells),
-            .metric = result_.cells.elongation ? result_.cells.elongation->metric : Metric()};
+        const plane::VoxelCells cells{.lattice = job_.lattice,
+                                      .sites = sites(),
+                                      .weights = site_weights(result_.cells),
+                                      .metric = result_.cells.elongation
+                                                    ? result_.cells.elongation->metric
+                                                    : plane::Metric()};
         return write(voxel_image(result_.cells.delaunay, cells.metric, grid, job_.n_threads), cells,
                      materials(), job_.file_options.elastic, path());
     }
 
     CellRows cell_rows() const {
         return {.sites = sites(),
-                .cells = cell_table(mesh_outside_holes(result_.cells, MeshKind::kVoronoi)),
+                .cells = cell_table(mesh_outside_holes(result_.cells, plane::MeshKind::kVoronoi)),
                 .weights = site_weights(result_.cells),
                 .materials = materials(),
                 .phases_are_tags = job_.has_inclusions(),
@@ -83,16 +85,16 @@ class FileEncoder {
         if (job_.has_inclusions() && !options.colouring) options.colouring = Colouring::kTag;
         return options;
     }
-    const CellMaterials& materials() const { return result_.materials; }
+    const plane::CellMaterials& materials() const { return result_.materials; }
     /// The materials that a file of a tile states; empty for Delaunay triangles where files state
     /// the materials of cells.
-    const CellMaterials& tile_materials() const {
-        static const CellMaterials none;
+    const plane::CellMaterials& tile_materials() const {
+        static const plane::CellMaterials none;
         const bool are_cells = faces_have_sites(tile().kind) || !file_.format->states_materials;
         return are_cells ? materials() : none;
     }
-    Points sites() const { return wrapped_sites(result_.cells, job_.origin); }
-    const Tile& tile() const { return tiles_[static_cast<std::size_t>(file_.mesh)].tile; }
+    plane::Points sites() const { return wrapped_sites(result_.cells, job_.origin); }
+    const plane::Tile& tile() const { return tiles_[static_cast<std::size_t>(file_.mesh)].tile; }
 
    private:
     const std::string& path() const {
@@ -102,7 +104,7 @@ class FileEncoder {
     const Job& job_;
     const JobFile& file_;
     const Computation& result_;
-    std::span<const BuiltTile> tiles_;
+    std::span<const plane::BuiltTile> tiles_;
 };
 
 /// The progress of the files of a job, which several threads write.
@@ -156,7 +158,7 @@ constexpr double kEncoding = 0.35;
 constexpr double kStaging = 0.1;
 constexpr double kProving = 1 - kEncoding - kStaging;
 
-void prove_encoded(const FileEncoder& encoder, const JobFile& file, const Vec2& origin,
+void prove_encoded(const FileEncoder& encoder, const JobFile& file, const plane::Vec2& origin,
                    const std::vector<EncodedFile>& encoded) {
     if (file.format->reads_grid()) {
         prove_grid_files(*file.format, encoded);
@@ -173,7 +175,7 @@ void prove_encoded(const FileEncoder& encoder, const JobFile& file, const Vec2& 
 
 /// Encodes a file, proves its bytes and lets them reach the disk under a hidden name, where they
 /// are compared. A file that is refused reaches no disk.
-void stage_file(const FileEncoder& encoder, const JobFile& file, const Vec2& origin,
+void stage_file(const FileEncoder& encoder, const JobFile& file, const plane::Vec2& origin,
                 FileProgress& progress, OutputSet& outputs) {
     const std::vector<EncodedFile> encoded = encoder.encode();
     progress.add(kEncoding);
@@ -187,8 +189,9 @@ void stage_file(const FileEncoder& encoder, const JobFile& file, const Vec2& ori
 }  // namespace
 
 std::vector<std::string> stage_files(const Job& job, const std::vector<JobFile>& files,
-                                     const Computation& result, std::span<const BuiltTile> tiles,
-                                     JobMonitor& monitor, OutputSet& outputs) {
+                                     const Computation& result,
+                                     std::span<const plane::BuiltTile> tiles, JobMonitor& monitor,
+                                     OutputSet& outputs) {
     // Before all files, so that a file inside of a case folder is staged in that folder.
     for (const JobFile& file : files) {
         if (!file.folder.empty()) outputs.stage_folder(file.folder);

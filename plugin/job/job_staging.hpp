@@ -17,8 +17,9 @@ namespace pcvt {
 ///          staged; empty for the others.
 /// @throws the fault of the first file in the list that has another one.
 std::vector<std::string> stage_files(const Job& job, const std::vector<JobFile>& files,
-                                     const Computation& result, std::span<const BuiltTile> tiles,
-                                     JobMonitor& monitor, OutputSet& outputs);
+                                     const Computation& result,
+                                     std::span<const plane::BuiltTile> tiles, JobMonitor& monitor,
+                                     OutputSet& outputs);
 
 /// Waits for other runs that write to the same folders, and reports that.
 /// @returns one line for each set of a run that died meanwhile.

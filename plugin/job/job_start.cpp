@@ -4,25 +4,25 @@
 #include <cmath>
 #include <utility>
 
-#include "mesher/cvt/coarse_start.hpp"
-#include "mesher/cvt/symmetric_coarse_start.hpp"
-#include "mesher/density/density_survey.hpp"
-#include "mesher/search/global_search.hpp"
-#include "mesher/symmetry/folded_density.hpp"
+#include "mesher/plane/cvt/coarse_start.hpp"
+#include "mesher/plane/cvt/symmetric_coarse_start.hpp"
+#include "mesher/plane/density/density_survey.hpp"
+#include "mesher/plane/search/global_search.hpp"
+#include "mesher/plane/symmetry/folded_density.hpp"
 
 namespace pcvt {
 namespace {
 
 /// The orbits of a job with a symmetry.
-OrbitPlan plan_of(const Job& job, const PlaneGroup& group) {
+plane::OrbitPlan plan_of(const Job& job, const plane::PlaneGroup& group) {
     return distribute(group, special_positions(group), job.n_sites);
 }
 
 JobStart random_start(const Job& job, const ProgressCallback& /*callback*/) {
     JobStart start;
     if (job.symmetry) {
-        const PlaneGroup group(*job.symmetry, job.lattice);
-        std::optional<Density> density;
+        const plane::PlaneGroup group(*job.symmetry, job.lattice);
+        std::optional<plane::Density> density;
         if (job.density) density = folded_density(*job.density, group);
         start.symmetric =
             numbered_by_columns(random_sites(group, plan_of(job, group), job.seed, density));
@@ -34,15 +34,15 @@ JobStart random_start(const Job& job, const ProgressCallback& /*callback*/) {
 }
 
 JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
-    const CoarseStartOptions options{.seed = job.seed,
-                                     .n_threads = job.n_threads,
-                                     .density = job.density,
-                                     .walls = job.walls,
-                                     .progress = callback};
+    const plane::CoarseStartOptions options{.seed = job.seed,
+                                            .n_threads = job.n_threads,
+                                            .density = job.density,
+                                            .walls = job.walls,
+                                            .progress = callback};
     JobStart start;
-    start.precondition_below = kPreconditionAfterCoarse;
+    start.precondition_below = plane::kPreconditionAfterCoarse;
     if (job.symmetry) {
-        const PlaneGroup group(*job.symmetry, job.lattice);
+        const plane::PlaneGroup group(*job.symmetry, job.lattice);
         start.symmetric = symmetric_coarse_start(group, plan_of(job, group), options);
         start.cancelled = !start.symmetric;
         return start;
@@ -53,7 +53,7 @@ JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
 }
 
 JobStart lattice_start(const Job& job, const ProgressCallback& /*callback*/) {
-    const LatticePattern pattern = best_lattice(job.lattice, job.n_sites);
+    const plane::LatticePattern pattern = best_lattice(job.lattice, job.n_sites);
     JobStart start;
     start.points = pattern_points(pattern);
     start.figures.pattern = PatternOutcome{pattern, lattice_stability(pattern)};
@@ -61,8 +61,8 @@ JobStart lattice_start(const Job& job, const ProgressCallback& /*callback*/) {
 }
 
 JobStart best_start(const Job& job, const ProgressCallback& callback) {
-    const int budget = job.budget > 0 ? job.budget : default_search_budget(job.n_sites);
-    SearchResult result = search_minimum(
+    const int budget = job.budget > 0 ? job.budget : plane::default_search_budget(job.n_sites);
+    plane::SearchResult result = search_minimum(
         job.lattice, job.n_sites,
         {.seed = job.seed, .budget = budget, .n_threads = job.n_threads, .progress = callback});
     JobStart start;
@@ -109,8 +109,8 @@ Eigen::VectorXd target_areas(const Job& job) {
     if (!job.areas) return {};
     const auto& [law, given, name] = *job.areas;
     const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
-    return scaled_areas(given.size() > 0 ? given : draw_areas(law, n, job.seed), n,
-                        job.lattice.area());
+    return plane::scaled_areas(given.size() > 0 ? given : draw_areas(law, n, job.seed), n,
+                               job.lattice.area());
 }
 
 /// The fixed sites, then random ones.
@@ -119,11 +119,11 @@ JobStart start_after_fixed_sites(const Job& job, const ProgressCallback& callbac
     others.n_sites -= static_cast<int>(job.fixed.cols());
     JobStart start;
     if (others.n_sites > 0) start = random_start(others, callback);
-    Points points(2, job.n_sites);
+    plane::Points points(2, job.n_sites);
     points.leftCols(job.fixed.cols()) = job.fixed;
     points.rightCols(others.n_sites) = start.points;
     start.points = std::move(points);
-    start.numbering = Numbering::kAsGiven;
+    start.numbering = plane::Numbering::kAsGiven;
     return start;
 }
 
@@ -136,7 +136,7 @@ Start chosen_start(const Job& job) {
     const bool alike = !job.density && !job.areas;
     // Where mirrors and centres bound an asymmetric unit with few sites, a coarse start may end
     // higher.
-    const int order = job.symmetry ? PlaneGroup(*job.symmetry, job.lattice).order() : 1;
+    const int order = job.symmetry ? plane::PlaneGroup(*job.symmetry, job.lattice).order() : 1;
     const bool many = job.n_sites / order >= kFewestForCoarse;
     const bool coarse = many && job.max_iterations != 0 && alike;
     return coarse ? Start::kCoarse : Start::kRandom;
@@ -144,25 +144,26 @@ Start chosen_start(const Job& job) {
 
 /// The coordinates of points in the domain, in the basis of a reduced lattice; empty if a point is
 /// not finite or too far away.
-Points domain_coordinates(const Lattice& reduced, const Points& points) {
-    Points coordinates(2, points.cols());
+plane::Points domain_coordinates(const plane::Lattice& reduced, const plane::Points& points) {
+    plane::Points coordinates(2, points.cols());
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
-        const Vec2 u = reduced.to_lattice(points.col(s));
-        if (!(u.cwiseAbs().maxCoeff() < kFarthestPeriod)) return Points(2, 0);
-        coordinates.col(s) << wrap(u.x()).fraction, wrap(u.y()).fraction;
+        const plane::Vec2 u = reduced.to_lattice(points.col(s));
+        if (!(u.cwiseAbs().maxCoeff() < kFarthestPeriod)) return plane::Points(2, 0);
+        coordinates.col(s) << plane::wrap(u.x()).fraction, plane::wrap(u.y()).fraction;
     }
     return coordinates;
 }
 
 /// The sites that coincide with earlier ones in the metric and between the walls of the job.
-std::vector<CoincidentSite> duplicates_of(const Job& job, const Points& given, double n_sites) {
-    const Metric metric = metric_of(job);
+std::vector<CoincidentSite> duplicates_of(const Job& job, const plane::Points& given,
+                                          double n_sites) {
+    const plane::Metric metric = metric_of(job);
     // Sites on opposite walls do not coincide.
-    const bool has_walls = job.walls != Walls::kNone && is_upright(job.lattice);
-    const Lattice lattice =
+    const bool has_walls = job.walls != plane::Walls::kNone && is_upright(job.lattice);
+    const plane::Lattice lattice =
         metric.to_round(has_walls ? mirrored_lattice(job.lattice, job.walls) : job.lattice);
-    const Lattice reduced = reduce(lattice).reduced;
-    const Points coordinates = domain_coordinates(reduced, metric.to_round(given));
+    const plane::Lattice reduced = reduce(lattice).reduced;
+    const plane::Points coordinates = domain_coordinates(reduced, metric.to_round(given));
     if (coordinates.cols() == 0) return {};
     Eigen::Matrix2d periods;
     periods << reduced.a(), reduced.b();
@@ -184,7 +185,7 @@ void keep_entries(const std::vector<SiteId>& kept, std::size_t n, Entries& entri
 }  // namespace
 
 void settle_duplicates(Job& job) {
-    Points& given = job.points.cols() > 0 ? job.points : job.fixed;
+    plane::Points& given = job.points.cols() > 0 ? job.points : job.fixed;
     if (given.cols() < 2) return;
     // check_constraints() refuses more fixed sites than sites, and its message comes first.
     if (job.duplicates == Duplicates::kRefuse && job.fixed.cols() > job.n_sites) return;
@@ -196,7 +197,7 @@ void settle_duplicates(Job& job) {
     const std::vector<SiteId> kept = kept_sites(static_cast<int>(n), pairs);
     job.dropped = dropped_sites(std::move(pairs), job.lines);
     keep_entries(kept, n, job.lines);
-    given = Points(given(Eigen::all, kept));
+    given = plane::Points(given(Eigen::all, kept));
     if (job.points.cols() == 0) return;
     if (job.n_sites > 0) job.n_sites = static_cast<int>(kept.size());
     if (job.areas) keep_entries(kept, n, job.areas->given);
@@ -211,7 +212,7 @@ JobStart job_start(const Job& job, const ProgressCallback& callback) {
     Eigen::VectorXd areas = target_areas(job);
     JobStart start;
     if (job.has_inclusions()) {
-        start.numbering = Numbering::kAsGiven;
+        start.numbering = plane::Numbering::kAsGiven;
     } else if (job.fixed.cols() > 0) {
         start = start_after_fixed_sites(job, callback);
     } else if (job.points.cols() > 0) {
@@ -221,7 +222,7 @@ JobStart job_start(const Job& job, const ProgressCallback& callback) {
     }
     // Given areas belong to random places: numbers by columns would arrange sorted areas.
     const bool given = job.areas && job.areas->given.size() > 0;
-    if (job.points.cols() > 0 || given) start.numbering = Numbering::kAsGiven;
+    if (job.points.cols() > 0 || given) start.numbering = plane::Numbering::kAsGiven;
     start.areas = std::move(areas);
     return start;
 }

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "mesher/symmetry/symmetric_sites.hpp"
+#include "mesher/plane/symmetry/symmetric_sites.hpp"
 #include "plugin/job/job.hpp"
 
 namespace pcvt {
@@ -11,15 +11,15 @@ namespace pcvt {
 /// Where the sites of a job begin, and what is known of that place.
 struct JobStart {
     /// 2 x n, length units.
-    Points points;
+    plane::Points points;
     /// Of jobs with a symmetry, in place of `points`; numbered by columns.
-    std::optional<SymmetricSites> symmetric = {};
+    std::optional<plane::SymmetricSites> symmetric = {};
     /// Sites of the user keep their numbers; all others are numbered by columns.
-    Numbering numbering = Numbering::kByColumns;
+    plane::Numbering numbering = plane::Numbering::kByColumns;
     /// Of jobs with areas: one a site, in the order of the result's sites, length^2.
     Eigen::VectorXd areas = {};
     /// For CvtOptions.
-    double precondition_below = CvtOptions().precondition_below;
+    double precondition_below = plane::CvtOptions().precondition_below;
     StartFigures figures;
     /// Of the global search.
     int evaluations = 0;

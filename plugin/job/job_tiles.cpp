@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "mesher/proof/generated_tile.hpp"
+#include "mesher/plane/proof/generated_tile.hpp"
 #include "plugin/job/job_checks.hpp"
 
 namespace pcvt {
 
 namespace {
 
-BuiltTile built_tile(const Job& job, const Tessellation& cells, MeshKind kind,
-                     const std::function<void(double)>& progress) {
+plane::BuiltTile built_tile(const Job& job, const Tessellation& cells, plane::MeshKind kind,
+                            const std::function<void(double)>& progress) {
     return build_tile(cells.delaunay, {.kind = kind,
                                        .outline = job.outline,
                                        .short_edges = job.short_edges,
@@ -52,14 +52,14 @@ void for_each_mesh(const Job& job, JobMonitor& monitor, Phase phase, const std::
 }  // namespace
 
 bool needs_tiles(const Job& job, const std::vector<JobFile>& files) {
-    return job.outline == Outline::kBox || has_mesh(job, &MeshKindRow::grain_size) ||
+    return job.outline == plane::Outline::kBox || has_mesh(job, &plane::MeshKindRow::grain_size) ||
            std::any_of(files.begin(), files.end(),
                        [](const JobFile& file) { return file.format->needs_tile(); });
 }
 
-std::vector<BuiltTile> proved_tiles(const Job& job, const Tessellation& cells,
-                                    JobMonitor& monitor) {
-    std::vector<BuiltTile> tiles;
+std::vector<plane::BuiltTile> proved_tiles(const Job& job, const Tessellation& cells,
+                                           JobMonitor& monitor) {
+    std::vector<plane::BuiltTile> tiles;
     tiles.reserve(job.meshes.size());
     for_each_mesh(job, monitor, Phase::kBuilding, "building", [&](std::size_t k) {
         const auto progress = [&](double share) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/tile/build_tile.hpp"
+#include "mesher/plane/tile/build_tile.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_files.hpp"
 
@@ -13,6 +13,7 @@ bool needs_tiles(const Job& job, const std::vector<JobFile>& files);
 /// Builds the meshes of a job and then proves them; tile k belongs to job.meshes[k].
 /// @throws LimitExceeded  grains too fine, or a piece of a cell too thin for them.
 /// @throws InternalError  a tile breaks its laws: a fault of pcvt.
-std::vector<BuiltTile> proved_tiles(const Job& job, const Tessellation& cells, JobMonitor& monitor);
+std::vector<plane::BuiltTile> proved_tiles(const Job& job, const Tessellation& cells,
+                                           JobMonitor& monitor);
 
 }  // namespace pcvt

@@ -4,15 +4,15 @@
 #include <numeric>
 #include <utility>
 
-#include "mesher/areas/area_cvt.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/cvt/walled_area_cvt.hpp"
-#include "mesher/cvt/walled_cvt.hpp"
-#include "mesher/lattice/domain.hpp"
-#include "mesher/mesh/cell_table.hpp"
-#include "mesher/mesh/valence.hpp"
-#include "mesher/mesh/voronoi.hpp"
-#include "mesher/mesh/walled_mesh.hpp"
+#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/walled_area_cvt.hpp"
+#include "mesher/plane/cvt/walled_cvt.hpp"
+#include "mesher/plane/geometry/domain.hpp"
+#include "mesher/plane/mesh/cell_table.hpp"
+#include "mesher/plane/mesh/valence.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
+#include "mesher/plane/mesh/walled_mesh.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_constraints.hpp"
 #include "plugin/job/job_start.hpp"
@@ -33,7 +33,7 @@ std::vector<int> counted_by_sites(std::vector<int> site_orbits) {
 
 Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
                            const std::function<void()>& built) {
-    CvtOptions options;
+    plane::CvtOptions options;
     options.precondition_below = start.precondition_below;
     options.solver = job.solver;
     options.tolerance = job.tolerance;
@@ -49,17 +49,18 @@ Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
         return monitor.iteration(progress);
     };
     if (job.has_inclusions()) return compute_cells_with_inclusions(job, options);
-    if (job.walls != Walls::kNone) {
-        WalledCvt walled = compute_walled_cvt(job.lattice, job.walls, job.wall_cells,
-                                              std::move(start.points), options);
+    if (job.walls != plane::Walls::kNone) {
+        plane::WalledCvt walled = compute_walled_cvt(job.lattice, job.walls, job.wall_cells,
+                                                     std::move(start.points), options);
         return {.delaunay = std::move(walled.torus.delaunay),
                 .walled = walled.domain,
                 .run = walled.torus.run,
                 .counts = walled.torus.counts,
                 .density = walled.torus.density};
     }
-    CvtResult cvt = start.symmetric ? compute_cvt(*start.symmetric, options)
-                                    : compute_cvt(job.lattice, std::move(start.points), options);
+    plane::CvtResult cvt = start.symmetric
+                               ? compute_cvt(*start.symmetric, options)
+                               : compute_cvt(job.lattice, std::move(start.points), options);
     return {.delaunay = std::move(cvt.delaunay),
             .run = cvt.run,
             .counts = cvt.counts,
@@ -71,28 +72,28 @@ Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
 /// Of prescribed areas.
 Tessellation compute_power_cells(const Job& job, JobStart& start, JobMonitor& monitor,
                                  const std::function<void()>& built) {
-    AreaCvtOptions options;
+    plane::AreaCvtOptions options;
     options.areas = std::move(start.areas);
     options.numbering = start.numbering;
     options.centroidal_steps = job.max_iterations;
     options.tolerance = job.tolerance;
     options.n_threads = job.n_threads;
     options.progress = [&](const Progress& progress) { return monitor.iteration(progress); };
-    options.newton_progress = [&, first = true](const AreaFigures& areas) mutable {
+    options.newton_progress = [&, first = true](const plane::AreaFigures& areas) mutable {
         // The first call comes once the first triangulation is built and measured.
         if (std::exchange(first, false)) built();
         monitor.newton_step(areas.newton_steps, areas.largest_relative_error);
     };
-    if (job.walls != Walls::kNone) {
-        WalledAreaCvt walled = compute_walled_area_cvt(job.lattice, job.walls, job.wall_cells,
-                                                       std::move(start.points), options);
+    if (job.walls != plane::Walls::kNone) {
+        plane::WalledAreaCvt walled = compute_walled_area_cvt(
+            job.lattice, job.walls, job.wall_cells, std::move(start.points), options);
         return {.delaunay = std::move(walled.torus.delaunay),
                 .walled = walled.domain,
                 .run = walled.torus.run,
                 .counts = walled.torus.counts,
                 .areas = walled.torus.areas};
     }
-    AreaCvtResult result = compute_area_cvt(job.lattice, start.points, options);
+    plane::AreaCvtResult result = compute_area_cvt(job.lattice, start.points, options);
     return {.delaunay = std::move(result.delaunay),
             .run = result.run,
             .counts = result.counts,
@@ -100,11 +101,12 @@ Tessellation compute_power_cells(const Job& job, JobStart& start, JobMonitor& mo
 }
 
 /// Moves points into the Domain at `origin`, but not across walls.
-Points wrapped(Points points, const Lattice& lattice, const Vec2& origin, Walls walls) {
-    const Domain domain(lattice, origin);
+plane::Points wrapped(plane::Points points, const plane::Lattice& lattice,
+                      const plane::Vec2& origin, plane::Walls walls) {
+    const plane::Domain domain(lattice, origin);
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
         checkpoint_each(s);
-        Offset into = domain.offset_into(points.col(s));
+        plane::Offset into = domain.offset_into(points.col(s));
         if (has_walls_across(walls, 0)) into.i = 0;
         if (has_walls_across(walls, 1)) into.j = 0;
         points.col(s) += lattice.translation(into);
@@ -113,13 +115,14 @@ Points wrapped(Points points, const Lattice& lattice, const Vec2& origin, Walls 
 }
 
 /// The positions of all sites, those inside holes among them.
-Points plane_sites(const Tessellation& tessellation) {
+plane::Points plane_sites(const Tessellation& tessellation) {
     if (const auto& walled = tessellation.walled) {
         return points_between_walls(tessellation.delaunay, *walled);
     }
-    const Sites& sites = tessellation.delaunay.sites();
-    const Metric metric = tessellation.elongation ? tessellation.elongation->metric : Metric();
-    Points points(2, sites.n_sites());
+    const plane::Sites& sites = tessellation.delaunay.sites();
+    const plane::Metric metric =
+        tessellation.elongation ? tessellation.elongation->metric : plane::Metric();
+    plane::Points points(2, sites.n_sites());
     for (SiteId s = 0; s < sites.n_sites(); ++s) {
         checkpoint_each(s);
         points.col(s) = metric.from_round(sites.position(s));
@@ -139,11 +142,11 @@ Tessellation tessellate(const Job& job, JobStart& start, JobMonitor& monitor,
                      : compute_cells(job, start, monitor, built);
 }
 
-Metric metric_of(const Job& job) {
-    return job.aspect ? Metric(job.aspect->ratio, job.aspect->degrees) : Metric();
+plane::Metric metric_of(const Job& job) {
+    return job.aspect ? plane::Metric(job.aspect->ratio, job.aspect->degrees) : plane::Metric();
 }
 
-Job in_round_space(const Job& job, const Metric& metric) {
+Job in_round_space(const Job& job, const plane::Metric& metric) {
     Job round = job;
     round.lattice = metric.to_round(job.lattice);
     round.points = metric.to_round(job.points);
@@ -152,21 +155,21 @@ Job in_round_space(const Job& job, const Metric& metric) {
     return round;
 }
 
-void map_back(const Metric& metric, LatticePattern& pattern) {
-    for (Lattice* lattice : {&pattern.period, &pattern.basis}) {
+void map_back(const plane::Metric& metric, plane::LatticePattern& pattern) {
+    for (plane::Lattice* lattice : {&pattern.period, &pattern.basis}) {
         *lattice = {metric.from_round(lattice->a()), metric.from_round(lattice->b())};
     }
 }
 
-PeriodicMesh plane_mesh(const Tessellation& tessellation, MeshKind kind) {
-    PeriodicMesh mesh = periodic_mesh(tessellation.delaunay, kind);
+plane::PeriodicMesh plane_mesh(const Tessellation& tessellation, plane::MeshKind kind) {
+    plane::PeriodicMesh mesh = periodic_mesh(tessellation.delaunay, kind);
     if (tessellation.walled) return part_between_walls(std::move(mesh), *tessellation.walled);
     const auto& elongation = tessellation.elongation;
     if (!elongation) return mesh;
     return from_round(std::move(mesh), elongation->metric, elongation->lattice);
 }
 
-PeriodicMesh mesh_outside_holes(const Tessellation& tessellation, MeshKind kind) {
+plane::PeriodicMesh mesh_outside_holes(const Tessellation& tessellation, plane::MeshKind kind) {
     return with_holes(plane_mesh(tessellation, kind), tessellation.holes);
 }
 
@@ -174,15 +177,15 @@ std::vector<int> cell_sides(const Tessellation& tessellation) {
     if (!tessellation.elongation && !tessellation.walled) {
         return cell_sides(tessellation.delaunay);
     }
-    return cell_sides(plane_mesh(tessellation, MeshKind::kVoronoi));
+    return cell_sides(plane_mesh(tessellation, plane::MeshKind::kVoronoi));
 }
 
 AreaSummary area_summary(const Tessellation& tessellation) {
-    const CellTable cells = cell_table(plane_mesh(tessellation, MeshKind::kVoronoi));
+    const plane::CellTable cells = cell_table(plane_mesh(tessellation, plane::MeshKind::kVoronoi));
     std::vector<double> circularities;
     for (SiteId s = 0; s < cells.n_cells(); ++s) circularities.push_back(cells.circularity(s));
     AreaSummary summary{.newton = *tessellation.areas};
-    summary.std_over_mean = diameter_spread(Eigen::Map<const Eigen::VectorXd>(
+    summary.std_over_mean = plane::diameter_spread(Eigen::Map<const Eigen::VectorXd>(
         cells.area.data(), static_cast<Eigen::Index>(cells.area.size())));
     summary.circularity_mean = mean(circularities);
     for (double& c : circularities)
@@ -197,34 +200,36 @@ Eigen::VectorXd site_weights(const Tessellation& tessellation) {
     return weights.head(tessellation.n_sites());
 }
 
-Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin) {
-    const Walls walls = tessellation.walled ? tessellation.walled->walls : Walls::kNone;
-    Points points = wrapped(plane_sites(tessellation), tessellation.lattice(), origin, walls);
+plane::Points wrapped_sites(const Tessellation& tessellation, const plane::Vec2& origin) {
+    const plane::Walls walls =
+        tessellation.walled ? tessellation.walled->walls : plane::Walls::kNone;
+    plane::Points points =
+        wrapped(plane_sites(tessellation), tessellation.lattice(), origin, walls);
     if (tessellation.holes.empty()) return points;
     const std::vector<SiteId> kept = tessellation.holes.kept();
     return points(Eigen::all, kept);
 }
 
-Points progress_sites(const Job& job, const Progress& progress) {
+plane::Points progress_sites(const Job& job, const Progress& progress) {
     if (progress.positions == nullptr) return {};
-    const Metric metric = metric_of(job);
-    Points points = (*progress.positions)();
+    const plane::Metric metric = metric_of(job);
+    plane::Points points = (*progress.positions)();
     for (auto p : points.colwise()) p = metric.from_round(p);
     return wrapped(std::move(points), job.lattice, job.origin, job.walls);
 }
 
 double energy_bound(const Tessellation& tessellation) {
-    const Sites& sites = tessellation.delaunay.sites();
+    const plane::Sites& sites = tessellation.delaunay.sites();
     if (!tessellation.walled) {
-        return hexagonal_bound(tessellation.lattice().area(), sites.n_sites());
+        return plane::hexagonal_bound(tessellation.lattice().area(), sites.n_sites());
     }
-    return hexagonal_bound(sites.lattice().area(), sites.n_sites()) /
+    return plane::hexagonal_bound(sites.lattice().area(), sites.n_sites()) /
            tessellation.walled->n_images();
 }
 
 std::optional<Minimum> minimum_of(const Tessellation& tessellation) {
-    const Sites& sites = tessellation.delaunay.sites();
-    const bool few = sites.n_sites() <= kMostSitesForStability;
+    const plane::Sites& sites = tessellation.delaunay.sites();
+    const bool few = sites.n_sites() <= plane::kMostSitesForStability;
     const bool uniform = !tessellation.density && !tessellation.areas && !tessellation.walled;
     if (tessellation.run.stop != Stop::kConverged || !uniform || !few) return {};
     return stability(sites);

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "mesher/areas/area_newton.hpp"
-#include "mesher/cvt/cvt.hpp"
-#include "mesher/energy/stability.hpp"
-#include "mesher/interfaces/inclusion.hpp"
-#include "mesher/lattice/walls.hpp"
-#include "mesher/mesh/elongated_mesh.hpp"
-#include "mesher/search/lattice_pattern.hpp"
-#include "mesher/tile/tile_holes.hpp"
+#include "mesher/plane/areas/area_newton.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
+#include "mesher/plane/energy/stability.hpp"
+#include "mesher/plane/geometry/walls.hpp"
+#include "mesher/plane/interfaces/inclusion.hpp"
+#include "mesher/plane/mesh/elongated_mesh.hpp"
+#include "mesher/plane/search/lattice_pattern.hpp"
+#include "mesher/plane/tile/tile_holes.hpp"
 
 namespace pcvt {
 
@@ -26,7 +26,7 @@ struct InterfaceFigures {
     /// The file of the shapes, or their law.
     std::string source;
     /// As given or drawn.
-    std::vector<Inclusion> shapes = {};
+    std::vector<plane::Inclusion> shapes = {};
     bool are_drawn = false;
     int n_chords = 0;
     /// Sites in pairs beside the chords, which do not move.
@@ -43,18 +43,18 @@ struct InterfaceFigures {
 ///     const Points sites = wrapped_sites(tessellation, job.origin);
 struct Tessellation {
     /// In the round space of `elongation`, if there is one. With weights in a run with areas.
-    PeriodicDelaunay delaunay;
+    plane::PeriodicDelaunay delaunay;
     /// Of elongated cells.
-    std::optional<Elongation> elongation = {};
+    std::optional<plane::Elongation> elongation = {};
     /// Of a run with walls: `delaunay` is that of the domain and its mirror images.
-    std::optional<WalledDomain> walled = {};
+    std::optional<plane::WalledDomain> walled = {};
     /// Energy and residuals are those of the round space; with walls, of the domain.
     RunStatistics run;
-    DelaunayCounts counts;
+    plane::DelaunayCounts counts;
     /// Of a run with a density.
-    std::optional<DensityFigures> density = {};
+    std::optional<plane::DensityFigures> density = {};
     /// Of a run with areas.
-    std::optional<AreaFigures> areas = {};
+    std::optional<plane::AreaFigures> areas = {};
 
     /// Of a run with a symmetry: the orbit of each site. Orbits are counted from 0 in the order of
     /// their first sites.
@@ -66,10 +66,10 @@ struct Tessellation {
     std::vector<double> tag_areas = {};
     std::optional<InterfaceFigures> interfaces = {};
     /// The sites of a run with holes.
-    HoleSites holes = {};
+    plane::HoleSites holes = {};
 
     /// That of the user.
-    const Lattice& lattice() const {
+    const plane::Lattice& lattice() const {
         if (walled) return walled->lattice;
         return elongation ? elongation->lattice : delaunay.sites().lattice();
     }
@@ -88,24 +88,24 @@ Tessellation tessellate(const Job& job, JobStart& start, JobMonitor& monitor,
                         const std::function<void()>& built);
 
 /// The metric of the job's aspect.
-Metric metric_of(const Job& job);
+plane::Metric metric_of(const Job& job);
 /// The job with its lattice, sites and density mapped to the round space of a metric.
-Job in_round_space(const Job& job, const Metric& metric);
+Job in_round_space(const Job& job, const plane::Metric& metric);
 /// Maps the period and the basis of a pattern back to the plane.
-void map_back(const Metric& metric, LatticePattern& pattern);
+void map_back(const plane::Metric& metric, plane::LatticePattern& pattern);
 
 /// periodic_mesh() in the plane, or with walls the mesh between them.
-PeriodicMesh plane_mesh(const Tessellation& tessellation, MeshKind kind);
+plane::PeriodicMesh plane_mesh(const Tessellation& tessellation, plane::MeshKind kind);
 
 /// plane_mesh() without the faces in holes.
-PeriodicMesh mesh_outside_holes(const Tessellation& tessellation, MeshKind kind);
+plane::PeriodicMesh mesh_outside_holes(const Tessellation& tessellation, plane::MeshKind kind);
 
 /// The number of sides of each site's cell, of those longer than kShortEdge h in the plane.
 std::vector<int> cell_sides(const Tessellation& tessellation);
 
 /// The figures of a run with prescribed areas.
 struct AreaSummary {
-    AreaFigures newton;
+    plane::AreaFigures newton;
     /// The factor that took given areas to the area of the domain; `nullopt` for those of a law.
     std::optional<double> scale = {};
     /// Standard deviation over mean of the equivalent diameters.
@@ -121,11 +121,11 @@ AreaSummary area_summary(const Tessellation& tessellation);
 Eigen::VectorXd site_weights(const Tessellation& tessellation);
 
 /// The sites outside of holes, 2 x n, wrapped into the Domain at `origin`, as in `.txt` files.
-Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin);
+plane::Points wrapped_sites(const Tessellation& tessellation, const plane::Vec2& origin);
 
 /// The sites of a run at the iteration that `progress` reports, 2 x n, as wrapped_sites() gives
 /// them once the run has ended; sites inside holes are among them. Empty where they are not known.
-Points progress_sites(const Job& job, const Progress& progress);
+plane::Points progress_sites(const Job& job, const Progress& progress);
 
 /// The energy of as many regular hexagons (hexagonal_bound()) in the area of the domain. The cells
 /// of sites on walls count as what lies between the walls.

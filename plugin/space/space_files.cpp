@@ -20,9 +20,9 @@ namespace {
 void require_precision(const SpaceJob& job, const std::string& path) {
     const auto n = std::max<double>(job.n_sites, static_cast<double>(job.points.cols()));
     if (n < 1) return;
-    const SpaceLattice& lattice = job.lattice;
+    const space::Lattice& lattice = job.lattice;
     double longest = 0;
-    for (const Vec3& period : lattice.periods()) longest = std::max(longest, period.norm());
+    for (const space::Vec3& period : lattice.periods()) longest = std::max(longest, period.norm());
     try {
         require_floats({.h = portable_cbrt(lattice.volume() / n),
                         .shortest_period = reduce(lattice).reduced.a().norm(),

@@ -14,9 +14,9 @@ namespace pcvt {
 struct SpaceContent {
     const SpaceTile& tile;
     /// The sites in the domain, 3 x n, for .txt files.
-    Points3 points;
+    space::Points points;
     /// For files of tetrahedra; nothing if there is none.
-    std::optional<TetrahedralMesh> tetrahedra = {};
+    std::optional<space::TetrahedralMesh> tetrahedra = {};
 };
 
 /// One output of a job.

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/polyhedra/cell_faces.hpp"
-#include "mesher/polyhedra/cell_sites.hpp"
+#include "mesher/plane/proof/validate.hpp"
 #include "mesher/portable/portable_functions.hpp"
-#include "mesher/proof/validate.hpp"
-#include "mesher/space/orbit_insertion.hpp"
-#include "mesher/space_cvt/space_coarse_start.hpp"
-#include "mesher/tetrahedra/tetrahedral_proof.hpp"
+#include "mesher/space/cvt/coarse_start.hpp"
+#include "mesher/space/delaunay/orbit_insertion.hpp"
+#include "mesher/space/mesh/cell_faces.hpp"
+#include "mesher/space/mesh/cell_sites.hpp"
+#include "mesher/space/proof/tetrahedral_proof.hpp"
 #include "plugin/job/job_memory.hpp"
 #include "plugin/job/job_staging.hpp"
 #include "plugin/space/space_files.hpp"
@@ -41,14 +41,14 @@ JobMonitor::Target target_of(const SpaceJob& job) {
     return target;
 }
 
-Eigen::Matrix3d period_matrix(const SpaceLattice& lattice) {
+Eigen::Matrix3d period_matrix(const space::Lattice& lattice) {
     Eigen::Matrix3d period;
     for (int k = 0; k < 3; ++k) period.col(k) = lattice.periods()[k];
     return period;
 }
 
-Points3 coarse_points(const SpaceJob& job, JobMonitor& monitor) {
-    Points3 points = space_coarse_start(
+space::Points coarse_points(const SpaceJob& job, JobMonitor& monitor) {
+    space::Points points = space::coarse_start(
         job.lattice, job.n_sites,
         {.seed = job.seed, .n_threads = job.n_threads, .progress = [&](const Progress& progress) {
              return monitor.start_iteration(progress);
@@ -58,22 +58,23 @@ Points3 coarse_points(const SpaceJob& job, JobMonitor& monitor) {
 }
 
 void check_short_edges(double length) {
-    if (length >= 0 && length <= kLongestSpaceShortEdge) return;
+    if (length >= 0 && length <= space::kLongestShortEdge) return;
     throw InvalidInput("the length under which edges are removed is not between 0 and 0.1 h");
 }
 
 void check_stability(const SpaceJob& job) {
     const auto n = std::max(job.n_sites, static_cast<int>(job.points.cols()));
-    if (!job.stability || n <= kMostSpaceSitesForMinimum) return;
+    if (!job.stability || n <= space::kMostSitesForMinimum) return;
     throw InvalidInput("the stability is known of at most " +
-                       std::to_string(kMostSpaceSitesForMinimum) +
+                       std::to_string(space::kMostSitesForMinimum) +
                        " sites in space; leave it out, or take fewer sites");
 }
 
 /// The subject and the verb of a message about memory.
 std::string run_takes(const SpaceJob& job) {
     const auto n = static_cast<double>(job.points.cols());
-    if (!(job.n_tetrahedra > kManyTetrahedra * kTetrahedraPerSite * n)) return "the run takes";
+    if (!(job.n_tetrahedra > kManyTetrahedra * space::kTetrahedraPerSite * n))
+        return "the run takes";
     return "the sites have about " + std::to_string(std::llround(job.n_tetrahedra / n)) +
            " Delaunay tetrahedra each, as sites on two lines have, and the run takes";
 }
@@ -81,20 +82,21 @@ std::string run_takes(const SpaceJob& job) {
 /// The best lattice and its stability, if the run begins there.
 std::optional<SpacePatternOutcome> find_pattern(const SpaceJob& job) {
     if (job.points.cols() > 0 || chosen_start(job) != SpaceStart::kLattice) return std::nullopt;
-    const SpacePattern pattern = best_space_pattern(period_matrix(job.lattice), job.n_sites);
-    return SpacePatternOutcome{pattern, space_stability(pattern)};
+    const space::LatticePattern pattern =
+        space::best_lattice(period_matrix(job.lattice), job.n_sites);
+    return SpacePatternOutcome{pattern, space::lattice_stability(pattern)};
 }
 
-Points3 start_points(const SpaceJob& job, const std::optional<SpacePatternOutcome>& pattern,
-                     JobMonitor& monitor) {
+space::Points start_points(const SpaceJob& job, const std::optional<SpacePatternOutcome>& pattern,
+                           JobMonitor& monitor) {
     if (job.points.cols() > 0) return job.points;
     if (pattern) return pattern_points(pattern->lattice);
     if (chosen_start(job) == SpaceStart::kCoarse) return coarse_points(job, monitor);
     return uniform_points(job.lattice, job.n_sites, job.seed);
 }
 
-SpaceCvtResult optimise(const SpaceJob& job, const Points3& points, JobMonitor& monitor) {
-    SpaceCvtResult result = compute_space_cvt(
+space::CvtResult optimise(const SpaceJob& job, const space::Points& points, JobMonitor& monitor) {
+    space::CvtResult result = space::compute_cvt(
         job.lattice, points,
         {.solver = job.solver,
          .tolerance = job.tolerance,
@@ -116,9 +118,10 @@ SpaceComputation compute(const SpaceJob& job, JobMonitor& monitor) {
 }
 
 /// The tile, not yet proved.
-ProvedSpaceTile build_tile(const SpaceDelaunay& delaunay, double short_edges, JobMonitor& monitor) {
+ProvedSpaceTile build_tile(const space::PeriodicDelaunay& delaunay, double short_edges,
+                           JobMonitor& monitor) {
     monitor.begin(Phase::kBuilding, "building the cells");
-    CellComplex complex = cell_complex(delaunay.sites, delaunay.tetrahedra);
+    space::CellComplex complex = cell_complex(delaunay.sites, delaunay.tetrahedra);
     const std::size_t n_vertices = complex.vertices.size();
     complex = without_short_edges(std::move(complex), short_edges);
     ProvedSpaceTile tile{.tile = {.mesh = polyhedral_mesh(delaunay.sites, complex)},
@@ -128,7 +131,7 @@ ProvedSpaceTile build_tile(const SpaceDelaunay& delaunay, double short_edges, Jo
 }
 
 /// Names the first of these tetrahedra by its sites.
-std::string flat_in_words(const TetrahedralMesh& mesh, const std::vector<int>& flat) {
+std::string flat_in_words(const space::TetrahedralMesh& mesh, const std::vector<int>& flat) {
     std::string sites;
     for (const int v : mesh.tetrahedra[flat.front()]) {
         sites += (sites.empty() ? "" : ", ") + std::to_string(mesh.point_site[v]);
@@ -143,16 +146,16 @@ std::string flat_in_words(const TetrahedralMesh& mesh, const std::vector<int>& f
 }
 
 /// The tetrahedra, if a file holds them.
-std::optional<TetrahedralMesh> build_tetrahedra(const SpaceDelaunay& delaunay,
-                                                const std::vector<SpaceJobFile>& files,
-                                                const SpaceFileOptions& options,
-                                                JobMonitor& monitor) {
+std::optional<space::TetrahedralMesh> build_tetrahedra(const space::PeriodicDelaunay& delaunay,
+                                                       const std::vector<SpaceJobFile>& files,
+                                                       const SpaceFileOptions& options,
+                                                       JobMonitor& monitor) {
     const auto file = std::find_if(files.begin(), files.end(), [&](const SpaceJobFile& f) {
         return f.format->shows_tetrahedra(options);
     });
     if (file == files.end()) return {};
     monitor.begin(Phase::kBuilding, "building the tetrahedra");
-    TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
+    space::TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
     const std::vector<int> flat = flat_tetrahedra(mesh, delaunay.sites.n_sites());
     if (flat.empty()) return mesh;
     throw InvalidInput("-o " + file->path + ": " + flat_in_words(mesh, flat) +
@@ -161,7 +164,7 @@ std::optional<TetrahedralMesh> build_tetrahedra(const SpaceDelaunay& delaunay,
 
 /// Requires that the boundary is a closed surface, if a file shows it.
 void require_closed_boundary(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
-                             const PolyhedralProof& proof) {
+                             const space::PolyhedralProof& proof) {
     if (proof.boundary_is_manifold) return;
     for (const SpaceJobFile& file : files) {
         if (!file.format->shows_boundary(job.file_options)) continue;
@@ -176,17 +179,17 @@ SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
                     const SpaceComputation& computation, const SpaceTileSource& make_tile,
                     JobMonitor& monitor) {
     const Clock::time_point begin = Clock::now();
-    const SpaceDelaunay& delaunay = computation.cvt.delaunay;
+    const space::PeriodicDelaunay& delaunay = computation.cvt.delaunay;
     OutputSet outputs;
     SpaceSummary summary;
     summary.n_sites = delaunay.sites.n_sites();
-    summary.energy_bound = body_centred_energy(job.lattice.volume(), summary.n_sites);
+    summary.energy_bound = space::body_centred_energy(job.lattice.volume(), summary.n_sites);
     for (const SpaceJobFile& file : files) summary.files.push_back(file.path);
     monitor.watch([&] {
-        std::optional<TetrahedralMesh> tetrahedra =
+        std::optional<space::TetrahedralMesh> tetrahedra =
             build_tetrahedra(delaunay, files, job.file_options, monitor);
         const ProvedSpaceTile& proved = make_tile(monitor);
-        Points3 points = wrapped_sites(computation);
+        space::Points points = wrapped_sites(computation);
         const SpaceContent content{proved.tile, std::move(points), std::move(tetrahedra)};
         summary.proof = proved.proof;
         summary.face_counts = proved.face_counts;
@@ -221,12 +224,12 @@ SpaceSummary run(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
 }
 
 /// The coordinates of points in the domain; empty if a point is not finite or too far away.
-Points3 domain_coordinates(const SpaceLattice& reduced, const Points3& points) {
-    Points3 coordinates(3, points.cols());
+space::Points domain_coordinates(const space::Lattice& reduced, const space::Points& points) {
+    space::Points coordinates(3, points.cols());
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
-        const Vec3 u = reduced.to_lattice(points.col(s));
-        if (!(u.cwiseAbs().maxCoeff() < kFarthestPeriod)) return Points3(3, 0);
-        coordinates.col(s) = wrap(u).fraction;
+        const space::Vec3 u = reduced.to_lattice(points.col(s));
+        if (!(u.cwiseAbs().maxCoeff() < kFarthestPeriod)) return space::Points(3, 0);
+        coordinates.col(s) = space::wrap(u).fraction;
     }
     return coordinates;
 }
@@ -236,22 +239,22 @@ Points3 domain_coordinates(const SpaceLattice& reduced, const Points3& points) {
 void settle_duplicates(SpaceJob& job) {
     const auto n = static_cast<int>(job.points.cols());
     if (n < 2) return;
-    const SpaceLattice reduced = reduce(job.lattice).reduced;
-    const Points3 coordinates = domain_coordinates(reduced, job.points);
+    const space::Lattice reduced = reduce(job.lattice).reduced;
+    const space::Points coordinates = domain_coordinates(reduced, job.points);
     if (coordinates.cols() == 0) return;
     const Eigen::Matrix3d periods = period_matrix(reduced);
     const double h = portable_cbrt(job.lattice.volume() / n);
     if (job.duplicates == Duplicates::kRefuse) {
         auto pairs = coincident_sites(coordinates, periods, kCoincident * h);
         if (!pairs.empty()) throw DuplicateSites(std::move(pairs));
-        job.n_tetrahedra = expected_tetrahedra(SpaceSites(job.lattice, job.points));
+        job.n_tetrahedra = expected_tetrahedra(space::Sites(job.lattice, job.points));
         return;
     }
     job.dropped = dropped_sites(sites_to_drop(coordinates, periods, h), job.lines);
     const std::vector<SiteId> kept = kept_sites(n, job.dropped.sites);
-    job.points = Points3(job.points(Eigen::all, kept));
+    job.points = space::Points(job.points(Eigen::all, kept));
     if (job.n_sites > 0) job.n_sites = static_cast<int>(kept.size());
-    job.n_tetrahedra = expected_tetrahedra(SpaceSites(job.lattice, job.points));
+    job.n_tetrahedra = expected_tetrahedra(space::Sites(job.lattice, job.points));
 }
 
 SpaceStart chosen_start(const SpaceJob& job) {
@@ -261,19 +264,19 @@ SpaceStart chosen_start(const SpaceJob& job) {
 
 double energy_bound(const SpaceJob& job) {
     const auto n_given = static_cast<int>(job.points.cols());
-    return body_centred_energy(job.lattice.volume(), n_given > 0 ? n_given : job.n_sites);
+    return space::body_centred_energy(job.lattice.volume(), n_given > 0 ? n_given : job.n_sites);
 }
 
 std::optional<Minimum> minimum_of(const SpaceComputation& computation) {
-    const SpaceDelaunay& delaunay = computation.cvt.delaunay;
-    const bool few = delaunay.sites.n_sites() <= kMostSpaceSitesForMinimum;
+    const space::PeriodicDelaunay& delaunay = computation.cvt.delaunay;
+    const bool few = delaunay.sites.n_sites() <= space::kMostSitesForMinimum;
     if (computation.cvt.run.stop != Stop::kConverged || !few) return {};
-    return space_minimum(delaunay);
+    return space::decided_minimum(delaunay);
 }
 
-Points3 wrapped_sites(const SpaceComputation& computation) {
-    const SpaceSites& sites = computation.cvt.delaunay.sites;
-    Points3 points(3, sites.n_sites());
+space::Points wrapped_sites(const SpaceComputation& computation) {
+    const space::Sites& sites = computation.cvt.delaunay.sites;
+    space::Points points(3, sites.n_sites());
     for (SiteId s = 0; s < sites.n_sites(); ++s) points.col(s) = sites.position(s);
     return points;
 }
@@ -289,7 +292,7 @@ ProvedSpaceTile prove_space_tile(const SpaceJob& job, const SpaceComputation& co
     } catch (const NotATile& error) {
         throw InternalError(std::string("a tile breaks its laws: ") + error.what());
     }
-    const CellFaces cells(tile.mesh);
+    const space::CellFaces cells(tile.mesh);
     for (int s = 0; s < cells.n_cells(); ++s) {
         ++proved.face_counts[static_cast<int>(cells[s].size())];
     }

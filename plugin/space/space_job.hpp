@@ -11,11 +11,11 @@
 #include "io/bytes/output_error.hpp"
 #include "io/space_formats.hpp"
 #include "mesher/base/coincident_sites.hpp"
-#include "mesher/polyhedra/polyhedral_proof.hpp"
-#include "mesher/polyhedra/short_edges.hpp"
-#include "mesher/space_cvt/space_cvt.hpp"
-#include "mesher/space_cvt/space_minimum.hpp"
-#include "mesher/space_search/space_stability.hpp"
+#include "mesher/space/cvt/cvt.hpp"
+#include "mesher/space/cvt/minimum.hpp"
+#include "mesher/space/mesh/short_edges.hpp"
+#include "mesher/space/proof/polyhedral_proof.hpp"
+#include "mesher/space/search/lattice_stability.hpp"
 #include "plugin/job/job_progress.hpp"
 
 namespace pcvt {
@@ -34,12 +34,12 @@ inline constexpr std::array kSpaceStarts{SpaceStartRow{SpaceStart::kRandom, "ran
                                          SpaceStartRow{SpaceStart::kCoarse, "coarse", 2},
                                          SpaceStartRow{SpaceStart::kLattice, "lattice", 3}};
 struct SpaceSolverRow {
-    SpaceSolver solver;
+    space::Solver solver;
     const char* word;
     int abi_value;
 };
-inline constexpr std::array kSpaceSolvers{SpaceSolverRow{SpaceSolver::kLbfgs, "lbfgs", 1},
-                                          SpaceSolverRow{SpaceSolver::kLloyd, "lloyd", 2}};
+inline constexpr std::array kSpaceSolvers{SpaceSolverRow{space::Solver::kLbfgs, "lbfgs", 1},
+                                          SpaceSolverRow{space::Solver::kLloyd, "lloyd", 2}};
 
 /// The description of a run in three dimensions.
 ///
@@ -48,9 +48,9 @@ inline constexpr std::array kSpaceSolvers{SpaceSolverRow{SpaceSolver::kLbfgs, "l
 ///   job.outputs = {"tile.vtu"};
 ///   const SpaceSummary summary = run_space_job(job, {});
 struct SpaceJob {
-    SpaceLattice lattice = SpaceLattice::box(1, 1, 1);
+    space::Lattice lattice = space::Lattice::box(1, 1, 1);
     /// The sites, 3 x n, length units. If there are no columns, `n_sites` sites begin at `start`.
-    Points3 points = Points3(3, 0);
+    space::Points points = space::Points(3, 0);
     /// What settle_duplicates() does with points that coincide with earlier ones.
     Duplicates duplicates = Duplicates::kRefuse;
     /// The line of each point in its file; empty without one.
@@ -64,7 +64,7 @@ struct SpaceJob {
     /// None: pcvt chooses.
     std::optional<SpaceStart> start = {};
     std::uint64_t seed = 0;
-    SpaceSolver solver = SpaceSolver::kLbfgs;
+    space::Solver solver = space::Solver::kLbfgs;
     double tolerance = 1e-6;
     /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given.
     int max_iterations = -1;
@@ -74,10 +74,10 @@ struct SpaceJob {
     std::vector<std::string> outputs;
     SpaceFileOptions file_options = {};
     /// Edges of cells shorter than this times h are removed; 0: none. At most
-    /// kLongestSpaceShortEdge.
+    /// space::kLongestShortEdge.
     double short_edges = 0;
     /// Whether the summary and the report say if the result is a minimum. At most
-    /// kMostSpaceSitesForMinimum sites.
+    /// space::kMostSitesForMinimum sites.
     bool stability = false;
     /// A .json file with the figures of the run; empty: none.
     std::string report;
@@ -94,13 +94,13 @@ void settle_duplicates(SpaceJob& job);
 
 /// The best exact lattice for the number of sites.
 struct SpacePatternOutcome {
-    SpacePattern lattice;
+    space::LatticePattern lattice;
     LatticeStability stability;
 };
 
 /// The optimised sites of a job, from which its tile and its files are made.
 struct SpaceComputation {
-    SpaceCvtResult cvt;
+    space::CvtResult cvt;
     /// Of a run that began at a lattice.
     std::optional<SpacePatternOutcome> pattern = {};
     /// Of the computation alone.
@@ -110,7 +110,7 @@ struct SpaceComputation {
 /// The tile of a job, proved, and its figures.
 struct ProvedSpaceTile {
     SpaceTile tile;
-    PolyhedralProof proof = {};
+    space::PolyhedralProof proof = {};
     /// Cells by their number of faces.
     std::map<int, int> face_counts = {};
     int n_removed_edges = 0;
@@ -130,7 +130,7 @@ struct SpaceSummary {
     /// Cells by their number of faces.
     std::map<int, int> face_counts = {};
     int n_removed_edges = 0;
-    PolyhedralProof proof = {};
+    space::PolyhedralProof proof = {};
     /// The files and folders that were written, in the order of the outputs.
     std::vector<std::string> files = {};
     /// The outputs that were not written, in their order.
@@ -162,7 +162,7 @@ SpaceStart chosen_start(const SpaceJob& job);
 double energy_bound(const SpaceJob& job);
 
 /// Whether the sites are a minimum of the energy; nothing if the run did not converge, or for more
-/// than kMostSpaceSitesForMinimum sites.
+/// than space::kMostSitesForMinimum sites.
 std::optional<Minimum> minimum_of(const SpaceComputation& computation);
 
 /// Optimises the sites; `nullopt` after a cancelled run.
@@ -180,6 +180,6 @@ SpaceSummary write_space_job(const SpaceJob& job, const SpaceComputation& comput
                              const SpaceTileSource& tile, const JobCallback& callback);
 
 /// Returns the positions of the sites in the domain, as files hold them: 3 x n, length units.
-Points3 wrapped_sites(const SpaceComputation& computation);
+space::Points wrapped_sites(const SpaceComputation& computation);
 
 }  // namespace pcvt

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mesher/space/orbit_insertion.hpp"
+#include "mesher/space/delaunay/orbit_insertion.hpp"
 #include "plugin/job/job_memory.hpp"
 
 namespace pcvt {
@@ -36,7 +36,7 @@ double largest_bytes(const SpaceJob& job, const std::vector<SpaceJobFile>& files
 double estimated_memory(const SpaceJob& job, const std::vector<SpaceJobFile>& files) {
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
     // The bytes a site are those of sites that are spread evenly.
-    const double n_even = std::max(n, job.n_tetrahedra / kTetrahedraPerSite);
+    const double n_even = std::max(n, job.n_tetrahedra / space::kTetrahedraPerSite);
     return kCommandBytes + kThreadBytes * job.n_threads + n_even * largest_bytes(job, files);
 }
 

@@ -10,7 +10,7 @@
 namespace pcvt {
 namespace {
 
-std::array<double, 3> numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+std::array<double, 3> numbers(const space::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 std::optional<SpaceReport::Pattern> report_pattern(
     const std::optional<SpacePatternOutcome>& pattern) {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "io/pictures/plot_svg.hpp"
-#include "mesher/delaunay/mirror_diagram.hpp"
+#include "mesher/plane/delaunay/mirror_diagram.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
 
@@ -14,8 +14,8 @@ namespace {
 constexpr int kFewestFitted = 100;
 
 std::vector<StudyRow> run_fig10(int n, int /*run*/, std::uint64_t seed) {
-    const MirrorDiagram diagram =
-        mirror_diagram(Sites(unit_square(), uniform_points(unit_square(), n, seed)));
+    const plane::MirrorDiagram diagram =
+        mirror_diagram(plane::Sites(unit_square(), uniform_points(unit_square(), n, seed)));
     return {{std::to_string(diagram.n_mirrors), std::to_string(diagram.n_boundary_sites),
              std::to_string(diagram.n_shrunk_inner_sites)}};
 }

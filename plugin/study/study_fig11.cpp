@@ -5,7 +5,7 @@
 
 #include "io/bytes/text.hpp"
 #include "io/pictures/plot_svg.hpp"
-#include "mesher/search/lattice_certificate.hpp"
+#include "mesher/plane/search/lattice_certificate.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
@@ -18,8 +18,8 @@ constexpr double kFig11Tolerance = 1e-8;
 constexpr std::size_t kMostPanels = 3;
 
 std::vector<StudyRow> run_fig11(int n, int /*run*/, std::uint64_t seed) {
-    const Lattice unit = unit_square();
-    const CvtResult result =
+    const plane::Lattice unit = unit_square();
+    const plane::CvtResult result =
         compute_cvt(unit, uniform_points(unit, n, seed), plain_lbfgs(kFig11Tolerance));
     const int hexagons = count_hexagons(result);
     StudyRow row{stop_name(result.run.stop)};
@@ -40,8 +40,8 @@ std::vector<StudyRow> run_fig11(int n, int /*run*/, std::uint64_t seed) {
 /// in n-ths of the square's side, hence integers.
 using Shape = std::array<std::int64_t, 3>;
 
-Shape shape_of(const LatticePattern& pattern) {
-    const auto dot = [](Offset s, Offset t) {
+Shape shape_of(const plane::LatticePattern& pattern) {
+    const auto dot = [](plane::Offset s, plane::Offset t) {
         return std::int64_t{s.i} * t.i + std::int64_t{s.j} * t.j;
     };
     const auto [a, b] = pattern.steps;
@@ -50,7 +50,7 @@ Shape shape_of(const LatticePattern& pattern) {
 
 /// All runs of one n that ended on congruent lattices.
 struct Pattern {
-    LatticePattern lattice;
+    plane::LatticePattern lattice;
     int count = 0;
     std::string first_seed;
 };
@@ -78,7 +78,7 @@ int integer(const StudyTable& runs, const StudyRow& row, const char* column) {
 
 void count_pattern(const StudyTable& runs, const StudyRow& row,
                    std::map<Shape, Pattern>& patterns) {
-    const LatticePattern lattice = lattice_pattern(
+    const plane::LatticePattern lattice = lattice_pattern(
         unit_square(), {integer(runs, row, "a"), integer(runs, row, "b"), integer(runs, row, "d")});
     const auto [found, fresh] =
         patterns.try_emplace(shape_of(lattice), Pattern{lattice, 0, row[runs.column("seed")]});
@@ -155,13 +155,13 @@ StudyTable pattern_table(const std::vector<PatternTally>& tallies) {
                      "w_y", "energy", "energy/F_hex", "first_seed"};
     for (const PatternTally& tally : tallies) {
         for (const Pattern& pattern : tally.patterns) {
-            const LatticePattern& lattice = pattern.lattice;
+            const plane::LatticePattern& lattice = pattern.lattice;
             StudyRow row{std::to_string(tally.n), std::to_string(pattern.count),
                          rounded(100.0 * pattern.count / tally.runs, 4)};
             for (const int entry : {lattice.form.a, lattice.form.b, lattice.form.d}) {
                 row.push_back(std::to_string(entry));
             }
-            for (const Vec2& v : {lattice.basis.a(), lattice.basis.b()}) {
+            for (const plane::Vec2& v : {lattice.basis.a(), lattice.basis.b()}) {
                 row.push_back(in_full(v.x()));
                 row.push_back(in_full(v.y()));
             }
@@ -179,7 +179,7 @@ std::string percent(double share) { return rounded(100 * share, 3) + " %"; }
 CellPanel pattern_panel(const PatternTally& tally, const Pattern& pattern) {
     const double share = static_cast<double>(pattern.count) / tally.runs;
     // A site in the middle shows the symmetry best.
-    const Points points = pattern_points(pattern.lattice).colwise() + Vec2(0.5, 0.5);
+    const plane::Points points = pattern_points(pattern.lattice).colwise() + plane::Vec2(0.5, 0.5);
     CellPanel panel = periodic_panel(compute_cvt(unit_square(), points, plain_lbfgs(0, 0)));
     panel.caption = {"n = " + std::to_string(tally.n) + ": " + percent(share),
                      "F / F_hex = " + rounded(pattern.lattice.energy / f_hex(tally.n), 6)};
@@ -188,7 +188,8 @@ CellPanel pattern_panel(const PatternTally& tally, const Pattern& pattern) {
 
 /// The panel of the best result where none has hexagons alone; repeats that run.
 CellPanel best_panel(const PatternTally& tally) {
-    const Points start = uniform_points(unit_square(), tally.n, std::stoull(tally.best_seed));
+    const plane::Points start =
+        uniform_points(unit_square(), tally.n, std::stoull(tally.best_seed));
     CellPanel panel =
         periodic_panel(compute_cvt(unit_square(), start, plain_lbfgs(kFig11Tolerance)));
     panel.caption = {"n = " + std::to_string(tally.n) + ": 0 %, the best",

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "io/pictures/plot_svg.hpp"
-#include "mesher/delaunay/mirror_diagram.hpp"
-#include "mesher/delaunay/moving_delaunay.hpp"
+#include "mesher/plane/delaunay/mirror_diagram.hpp"
+#include "mesher/plane/delaunay/moving_delaunay.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
 
@@ -18,18 +18,20 @@ struct Method {
     const char* column;
     const char* label;
     const char* colour;
-    void (*build)(const Sites& sites);
+    void (*build)(const plane::Sites& sites);
 };
-const Method kMethods[] = {
-    {"full_copies_s", "3 × 3 copies", kPlotOrange,
-     [](const Sites& sites) { full_copies_diagram(sites); }},
-    {"mirrors_s", "mirrors (paper)", kPlotBlue, [](const Sites& sites) { mirror_diagram(sites); }},
-    {"delaunay_s", "Delaunay alone", kPlotGrey,
-     [](const Sites& sites) { euclidean_delaunay(sites); }},
-    {"strips_s", "strips", kPlotGreen, [](const Sites& sites) { MovingDelaunay delaunay(sites); }}};
+const Method kMethods[] = {{"full_copies_s", "3 × 3 copies", kPlotOrange,
+                            [](const plane::Sites& sites) { full_copies_diagram(sites); }},
+                           {"mirrors_s", "mirrors (paper)", kPlotBlue,
+                            [](const plane::Sites& sites) { mirror_diagram(sites); }},
+                           {"delaunay_s", "Delaunay alone", kPlotGrey,
+                            [](const plane::Sites& sites) { euclidean_delaunay(sites); }},
+                           {"strips_s", "strips", kPlotGreen, [](const plane::Sites& sites) {
+                                plane::MovingDelaunay delaunay(sites);
+                            }}};
 
 /// Processor seconds of one build: other processes on the machine have little influence on them.
-double seconds_of(const Method& method, const Sites& sites) {
+double seconds_of(const Method& method, const plane::Sites& sites) {
     const auto used = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
     const double start = used();
     double seconds = 0;
@@ -43,7 +45,7 @@ double seconds_of(const Method& method, const Sites& sites) {
 }
 
 std::vector<StudyRow> run_fig7(int n, int /*run*/, std::uint64_t seed) {
-    const Sites sites(unit_square(), uniform_points(unit_square(), n, seed));
+    const plane::Sites sites(unit_square(), uniform_points(unit_square(), n, seed));
     StudyRow row;
     for (const Method& method : kMethods) row.push_back(in_full(seconds_of(method, sites)));
     return {row};

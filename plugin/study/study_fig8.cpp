@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
-#include "mesher/cvt/clipped_cvt.hpp"
+#include "mesher/plane/cvt/clipped_cvt.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
@@ -17,7 +17,7 @@ constexpr double kStandardTolerance = 1e-8;
 /// picture.
 constexpr std::uint64_t kAllHexagonSeed = 15;
 
-std::string site_cell(const Points& sites) {
+std::string site_cell(const plane::Points& sites) {
     std::string text;
     for (const double x : sites.reshaped()) {
         if (!text.empty()) text += ' ';
@@ -26,35 +26,37 @@ std::string site_cell(const Points& sites) {
     return text;
 }
 
-Points parse_sites(const std::string& cell) {
+plane::Points parse_sites(const std::string& cell) {
     LineScanner scanner("sites", cell);
     scanner.next();
     const auto& words = scanner.words();
-    Points sites(2, static_cast<Eigen::Index>(words.size() / 2));
+    plane::Points sites(2, static_cast<Eigen::Index>(words.size() / 2));
     for (Eigen::Index k = 0; k < sites.size(); ++k) sites.data()[k] = scanner.number(words[k]);
     return sites;
 }
 
-StudyRow fig8_row(const std::string& panel, const RunStatistics& run, const Points& sites) {
+StudyRow fig8_row(const std::string& panel, const RunStatistics& run, const plane::Points& sites) {
     StudyRow row{panel};
     for (std::string& cell : run_cells(run)) row.push_back(std::move(cell));
     row.push_back(site_cell(sites));
     return row;
 }
 
-StudyRow periodic_row(const std::string& panel, const Points& start, const CvtOptions& options) {
-    const CvtResult result = compute_cvt(unit_square(), start, options);
+StudyRow periodic_row(const std::string& panel, const plane::Points& start,
+                      const plane::CvtOptions& options) {
+    const plane::CvtResult result = compute_cvt(unit_square(), start, options);
     return fig8_row(
         panel, result.run,
         wrapped_sites({.delaunay = result.delaunay, .run = result.run, .counts = result.counts},
-                      Vec2::Zero()));
+                      plane::Vec2::Zero()));
 }
 
 std::vector<StudyRow> run_fig8(int n, int /*run*/, std::uint64_t seed) {
-    const Points start = uniform_points(unit_square(), n, seed);
-    const ClippedCvt standard = compute_clipped_cvt(unit_square(), start, {kStandardTolerance});
-    CvtOptions lloyd;
-    lloyd.solver = Solver::kLloyd;
+    const plane::Points start = uniform_points(unit_square(), n, seed);
+    const plane::ClippedCvt standard =
+        compute_clipped_cvt(unit_square(), start, {kStandardTolerance});
+    plane::CvtOptions lloyd;
+    lloyd.solver = plane::Solver::kLloyd;
     lloyd.tolerance = 0;
     lloyd.max_iterations = kLloydIterations;
     return {periodic_row("input", start, plain_lbfgs(0, 0)),
@@ -70,7 +72,7 @@ std::string title_of(const std::string& panel, const std::string& iterations) {
 }
 
 /// The diagram of the sites as given.
-CvtResult at_rest(const Points& sites) {
+plane::CvtResult at_rest(const plane::Points& sites) {
     return compute_cvt(unit_square(), sites, plain_lbfgs(0, 0));
 }
 
@@ -82,7 +84,7 @@ StudyResult conclude_fig8(const Study& /*study*/, const StudyTable& runs) {
     std::vector<CellPanel> panels;
     for (const StudyRow& row : runs.rows) {
         const auto cell = [&](const char* name) { return row[runs.column(name)]; };
-        const Points sites = parse_sites(cell("sites"));
+        const plane::Points sites = parse_sites(cell("sites"));
         const bool standard = cell("panel") == "standard";
         const double ratio =
             runs.number(row, "energy") / f_hex(static_cast<int>(runs.number(row, "n")));

@@ -1,7 +1,7 @@
 #include <utility>
 
 #include "io/pictures/plot_svg.hpp"
-#include "mesher/cvt/clipped_cvt.hpp"
+#include "mesher/plane/cvt/clipped_cvt.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
 
@@ -12,8 +12,8 @@ constexpr double kFig9Tolerance = 1e-6;
 constexpr int kMostIterations = 200;
 
 std::vector<StudyRow> run_fig9(int n, int /*run*/, std::uint64_t seed) {
-    const Lattice unit = unit_square();
-    const Points start = uniform_points(unit, n, seed);
+    const plane::Lattice unit = unit_square();
+    const plane::Points start = uniform_points(unit, n, seed);
     std::vector<StudyRow> rows;
     const auto note = [&rows](const char* method) {
         return [&rows, method](const Progress& progress) {
@@ -23,7 +23,7 @@ std::vector<StudyRow> run_fig9(int n, int /*run*/, std::uint64_t seed) {
             return true;
         };
     };
-    CvtOptions options = plain_lbfgs(kFig9Tolerance, kMostIterations);
+    plane::CvtOptions options = plain_lbfgs(kFig9Tolerance, kMostIterations);
     options.progress = note("periodic");
     compute_cvt(unit, start, options);
     compute_clipped_cvt(unit, start, {kFig9Tolerance, kMostIterations, note("standard")});
@@ -50,7 +50,7 @@ Plot excess_plot(int n, const Plot& energies) {
               {}};
     for (const PlotSeries& series : energies.series) {
         plot.series.push_back(series);
-        for (Vec2& point : plot.series.back().points) {
+        for (plane::Vec2& point : plot.series.back().points) {
             point.y() = point.y() / f_hex(n) - 1;
             if (point.y() > 0) continue;
             throw InvalidInput("an energy of " + std::to_string(n) +
@@ -117,10 +117,11 @@ StudyResult conclude_fig9(const Study& study, const StudyTable& runs) {
         excess.push_back(excess_plot(n, plot));
         const double longest =
             std::max(plot.series[0].points.back().x(), plot.series[1].points.back().x());
-        plot.series.push_back({.mark = PlotSeries::Mark::kDashes,
-                               .label = "hexagonal bound",
-                               .colour = kPlotGrey,
-                               .points = {Vec2(0, f_hex(n)), Vec2(longest, f_hex(n))}});
+        plot.series.push_back(
+            {.mark = PlotSeries::Mark::kDashes,
+             .label = "hexagonal bound",
+             .colour = kPlotGrey,
+             .points = {plane::Vec2(0, f_hex(n)), plane::Vec2(longest, f_hex(n))}});
         plots.push_back(std::move(plot));
     }
     StudyResult result;

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "io/pictures/plot_svg.hpp"
-#include "mesher/space_cvt/space_cvt.hpp"
-#include "mesher/space_search/space_pattern.hpp"
+#include "mesher/space/cvt/cvt.hpp"
+#include "mesher/space/search/lattice_pattern.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
@@ -17,15 +17,15 @@ constexpr double kGersho3dTolerance = 1e-8;
 constexpr double kFaceCentredMoment = 0.078745065618429588;
 constexpr double kA15Moment = 0.0787354;
 
-SpaceLattice unit_cube() { return SpaceLattice::box(1, 1, 1); }
+space::Lattice unit_cube() { return space::Lattice::box(1, 1, 1); }
 
 /// The energy over that of as many cells of the body-centred cubic lattice.
-double over_bound(double energy, int n) { return energy / body_centred_energy(1, n); }
+double over_bound(double energy, int n) { return energy / space::body_centred_energy(1, n); }
 
 std::vector<StudyRow> run_gersho3d(int n, int /*run*/, std::uint64_t seed) {
-    const SpaceLattice cube = unit_cube();
-    const SpaceCvtResult result =
-        compute_space_cvt(cube, uniform_points(cube, n, seed), {.tolerance = kGersho3dTolerance});
+    const space::Lattice cube = unit_cube();
+    const space::CvtResult result =
+        space::compute_cvt(cube, uniform_points(cube, n, seed), {.tolerance = kGersho3dTolerance});
     StudyRow row{stop_name(result.run.stop)};
     for (std::string& cell : run_cells(result.run)) row.push_back(std::move(cell));
     return {row};
@@ -51,7 +51,7 @@ EnergyTally tally_energies(const StudyTable& runs, int n) {
     EnergyTally tally{
         .n = n,
         .best_seed = {},
-        .lattice = over_bound(best_space_pattern(Eigen::Matrix3d::Identity(), n).energy, n)};
+        .lattice = over_bound(space::best_lattice(Eigen::Matrix3d::Identity(), n).energy, n)};
     for (const StudyRow& row : rows_of(runs, n)) {
         const double energy = over_bound(runs.number(row, "energy"), n);
         ++tally.runs;
@@ -76,8 +76,8 @@ StudyTable energy_table(const std::vector<EnergyTally>& tallies) {
         "of runs that end there; mean: of all runs; lattice: the best of all exact lattices",
         "winner: which of best and lattice is lower; equal: within 1e-9",
         "the face-centred cubic lattice (n = 4 k^3) has " +
-            rounded(kFaceCentredMoment / kBodyCentredMoment, 7) + ", the A15 structure (8 k^3) " +
-            rounded(kA15Moment / kBodyCentredMoment, 7)};
+            rounded(kFaceCentredMoment / space::kBodyCentredMoment, 7) +
+            ", the A15 structure (8 k^3) " + rounded(kA15Moment / space::kBodyCentredMoment, 7)};
     table.columns = {"n", "runs", "best", "best_seed", "times", "mean", "lattice", "winner"};
     int n_below = 0;
     for (const EnergyTally& tally : tallies) {
@@ -119,14 +119,14 @@ StudyPicture energy_plot(std::vector<EnergyTally> tallies) {
               .y = {"percent above truncated octahedra", false},
               .series = {}};
     const auto add_level = [&](const char* name, const char* colour, double moment) {
-        const double percent = 100 * (moment / kBodyCentredMoment - 1);
+        const double percent = 100 * (moment / space::kBodyCentredMoment - 1);
         plot.series.push_back(
             {.mark = PlotSeries::Mark::kLine,
              .label = name,
              .colour = colour,
              .points = {{tallies.front().n, percent}, {tallies.back().n, percent}}});
     };
-    add_level("BCC", kPlotGrey, kBodyCentredMoment);
+    add_level("BCC", kPlotGrey, space::kBodyCentredMoment);
     add_level("FCC, A15", kPlotGreen, kFaceCentredMoment);
     plot.series.push_back(std::move(lattice));
     plot.series.push_back(std::move(best));

@@ -2,23 +2,23 @@
 
 #include <algorithm>
 
-#include "mesher/mesh/voronoi.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
 
 namespace pcvt {
 
-Lattice unit_square() { return Lattice::rectangle(1, 1); }
+plane::Lattice unit_square() { return plane::Lattice::rectangle(1, 1); }
 
-double f_hex(int n) { return hexagonal_bound(1, n); }
+double f_hex(int n) { return plane::hexagonal_bound(1, n); }
 
-CvtOptions plain_lbfgs(double tolerance, int max_iterations) {
-    CvtOptions options;
-    options.solver = Solver::kPlainLbfgs;
+plane::CvtOptions plain_lbfgs(double tolerance, int max_iterations) {
+    plane::CvtOptions options;
+    options.solver = plane::Solver::kPlainLbfgs;
     options.tolerance = tolerance;
     options.max_iterations = max_iterations;
     return options;
 }
 
-int count_hexagons(const CvtResult& result) {
+int count_hexagons(const plane::CvtResult& result) {
     const std::vector<int> sides = cell_sides(result.delaunay);
     return static_cast<int>(std::count(sides.begin(), sides.end(), 6));
 }

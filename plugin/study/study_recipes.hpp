@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/cvt/cvt.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
 #include "plugin/study/study.hpp"
 
 namespace pcvt {
@@ -17,7 +17,7 @@ StudyRecipe symmetry_recipe();
 StudyRecipe gersho3d_recipe();
 
 /// The paper's domain.
-Lattice unit_square();
+plane::Lattice unit_square();
 
 /// 5 / (18 sqrt(3) n), the paper's F_hex.
 double f_hex(int n);
@@ -26,10 +26,10 @@ double f_hex(int n);
 inline constexpr double kSameEnergy = 1e-9;
 
 /// The paper's solver: L-BFGS alone, so that the statistics of minima are comparable.
-CvtOptions plain_lbfgs(double tolerance, int max_iterations = -1);
+plane::CvtOptions plain_lbfgs(double tolerance, int max_iterations = -1);
 
 /// The number of cells with six sides; edges shorter than 1e-5 h are not counted.
-int count_hexagons(const CvtResult& result);
+int count_hexagons(const plane::CvtResult& result);
 
 /// The cells "iterations", "evaluations", "energy", "residual" of a row.
 StudyRow run_cells(const RunStatistics& run);

@@ -6,10 +6,10 @@
 
 #include "io/bytes/text.hpp"
 #include "io/pictures/plot_svg.hpp"
-#include "mesher/areas/area_cvt.hpp"
-#include "mesher/areas/target_areas.hpp"
-#include "mesher/mesh/cell_table.hpp"
-#include "mesher/mesh/voronoi.hpp"
+#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/areas/target_areas.hpp"
+#include "mesher/plane/mesh/cell_table.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
 
@@ -42,13 +42,13 @@ std::vector<int> histogram_of_diameters(std::vector<double> diameters) {
 }
 
 std::vector<StudyRow> rows_of_law(const StudiedLaw& law, int n, std::uint64_t seed) {
-    const Lattice unit = unit_square();
-    const Eigen::VectorXd areas =
-        scaled_areas(draw_areas(parse_area_law(law.word), n, seed), n, unit.area());
-    const AreaCvtResult result =
+    const plane::Lattice unit = unit_square();
+    const Eigen::VectorXd areas = plane::scaled_areas(
+        plane::draw_areas(plane::parse_area_law(law.word), n, seed), n, unit.area());
+    const plane::AreaCvtResult result =
         compute_area_cvt(unit, uniform_points(unit, n, seed),
                          {.areas = areas, .centroidal_steps = kCentroidalSteps});
-    const CellTable cells = cell_table(cell_mesh(result.delaunay));
+    const plane::CellTable cells = cell_table(cell_mesh(result.delaunay));
     std::vector<double> wanted;
     std::vector<double> reached;
     double error = 0;

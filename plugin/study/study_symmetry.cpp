@@ -2,7 +2,7 @@
 #include <array>
 #include <limits>
 
-#include "mesher/symmetry/symmetric_sites.hpp"
+#include "mesher/plane/symmetry/symmetric_sites.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
 
@@ -21,9 +21,10 @@ struct Occupation {
 constexpr std::array kOccupations{Occupation{"general", false}, Occupation{"centres", true}};
 
 /// The plan with about n sites; no centre is occupied where the group has none.
-OrbitPlan plan_of(const PlaneGroup& group, const SpecialPositions& special, int n, bool centres) {
-    OrbitPlan plan{std::max(1, n / group.order()), std::vector<int>(special.mirrors.size()),
-                   std::vector<bool>(special.centres.size())};
+plane::OrbitPlan plan_of(const plane::PlaneGroup& group, const plane::SpecialPositions& special,
+                         int n, bool centres) {
+    plane::OrbitPlan plan{std::max(1, n / group.order()), std::vector<int>(special.mirrors.size()),
+                          std::vector<bool>(special.centres.size())};
     for (std::size_t k = 0; centres && k < special.centres.size(); ++k) {
         plan.at_centres[k] = special.centres[k].order == special.centres.front().order;
     }
@@ -31,27 +32,27 @@ OrbitPlan plan_of(const PlaneGroup& group, const SpecialPositions& special, int 
 }
 
 struct SymmetricRun {
-    SymmetricSites start;
-    CvtResult result;
+    plane::SymmetricSites start;
+    plane::CvtResult result;
 };
 
-SymmetricRun symmetric_run(PlaneGroupName name, int n, bool centres, std::uint64_t seed) {
-    const PlaneGroup group(name, example_lattice(name));
-    const SpecialPositions special = special_positions(group);
-    SymmetricSites start = random_sites(group, plan_of(group, special, n, centres), seed);
-    CvtOptions options;
+SymmetricRun symmetric_run(plane::PlaneGroupName name, int n, bool centres, std::uint64_t seed) {
+    const plane::PlaneGroup group(name, example_lattice(name));
+    const plane::SpecialPositions special = special_positions(group);
+    plane::SymmetricSites start = random_sites(group, plan_of(group, special, n, centres), seed);
+    plane::CvtOptions options;
     options.tolerance = kSymmetryTolerance;
-    CvtResult result = compute_cvt(start, options);
+    plane::CvtResult result = compute_cvt(start, options);
     return {std::move(start), std::move(result)};
 }
 
-bool has_centres(PlaneGroupName name) {
-    return !special_positions(PlaneGroup(name, example_lattice(name))).centres.empty();
+bool has_centres(plane::PlaneGroupName name) {
+    return !special_positions(plane::PlaneGroup(name, example_lattice(name))).centres.empty();
 }
 
 std::vector<StudyRow> run_symmetry(int n, int /*run*/, std::uint64_t seed) {
     std::vector<StudyRow> rows;
-    for (const PlaneGroupRow& group : kPlaneGroups) {
+    for (const plane::PlaneGroupRow& group : plane::kPlaneGroups) {
         for (const Occupation& occupation : kOccupations) {
             if (occupation.centres && !has_centres(group.name)) continue;
             const auto [start, result] = symmetric_run(group.name, n, occupation.centres, seed);
@@ -65,7 +66,7 @@ std::vector<StudyRow> run_symmetry(int n, int /*run*/, std::uint64_t seed) {
 }
 
 /// The least and the mean energy over the bound; "-" for both without runs.
-StudyRow energies(const StudyTable& runs, int n, const PlaneGroupRow& group,
+StudyRow energies(const StudyTable& runs, int n, const plane::PlaneGroupRow& group,
                   const Occupation& occupation) {
     double least = std::numeric_limits<double>::infinity();
     double sum = 0;
@@ -86,7 +87,7 @@ StudyRow energies(const StudyTable& runs, int n, const PlaneGroupRow& group,
 StudyPicture symmetry_picture(const Study& study) {
     const int n = *std::min_element(study.sites.begin(), study.sites.end());
     std::vector<CellPanel> panels;
-    for (const PlaneGroupRow& group : kPlaneGroups) {
+    for (const plane::PlaneGroupRow& group : plane::kPlaneGroups) {
         const auto [start, result] =
             symmetric_run(group.name, n, has_centres(group.name), study.seed);
         CellPanel panel = orbit_panel(result, start.orbit);
@@ -108,7 +109,7 @@ StudyResult conclude_symmetry(const Study& study, const StudyTable& runs) {
     table.columns = {"group",         "n",           "general_least", "general_mean",
                      "centres_least", "centres_mean"};
     for (const int n : study.sites) {
-        for (const PlaneGroupRow& group : kPlaneGroups) {
+        for (const plane::PlaneGroupRow& group : plane::kPlaneGroups) {
             StudyRow row{group.word, std::to_string(n)};
             for (const Occupation& occupation : kOccupations) {
                 for (std::string& cell : energies(runs, n, group, occupation)) {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/cvt/clipped_cvt.hpp"
-#include "mesher/search/lattice_pattern.hpp"
+#include "mesher/plane/cvt/clipped_cvt.hpp"
+#include "mesher/plane/search/lattice_pattern.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/study/study_recipes.hpp"
 
@@ -37,12 +37,12 @@ StudyRow table1_run_row(const char* kind, const RunStatistics& run) {
 }
 
 std::vector<StudyRow> run_table1(int n, int run, std::uint64_t seed) {
-    const Lattice unit = unit_square();
-    const Points start = uniform_points(unit, n, seed);
-    const CvtResult periodic = compute_cvt(unit, start, plain_lbfgs(kTable1Tolerance));
+    const plane::Lattice unit = unit_square();
+    const plane::Points start = uniform_points(unit, n, seed);
+    const plane::CvtResult periodic = compute_cvt(unit, start, plain_lbfgs(kTable1Tolerance));
     std::vector<StudyRow> rows{table1_run_row("periodic", periodic.run)};
     if (run < kStandardRuns) {
-        const ClippedCvt standard = compute_clipped_cvt(unit, start, {kTable1Tolerance});
+        const plane::ClippedCvt standard = compute_clipped_cvt(unit, start, {kTable1Tolerance});
         rows.push_back(table1_run_row("standard", standard.run));
     }
     return rows;
@@ -73,7 +73,7 @@ std::string relative(double value, double reference) {
 StudyRow table1_row(const StudyTable& runs, int n) {
     const Best standard = best_of(runs, n, "standard");
     const Best periodic = best_of(runs, n, "periodic");
-    const LatticePattern lattice = best_lattice(unit_square(), n);
+    const plane::LatticePattern lattice = best_lattice(unit_square(), n);
     std::string reached = "seed " + periodic.seed;
     double energy = periodic.energy;
     if (lattice.energy < energy * (1 - kSameEnergy)) {

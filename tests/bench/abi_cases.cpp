@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "mesher/cvt/cvt.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
 #include "plugin/pcvt.h"
 #include "tests/bench/cases.hpp"
 
@@ -20,18 +20,18 @@ struct Timed {
     double energy;
 };
 
-Timed by_call(const Input& input, const Points& sites) {
+Timed by_call(const Input& input, const plane::Points& sites) {
     const double start = cpu_seconds();
     double energy = 0;
     {
-        CvtOptions options;
+        plane::CvtOptions options;
         options.max_iterations = kAbiIterations;
         energy = compute_cvt(input.lattice, sites, options).run.energy;
     }
     return {cpu_seconds() - start, energy};
 }
 
-Timed by_interface(const Input& input, const Points& sites) {
+Timed by_interface(const Input& input, const plane::Points& sites) {
     const double start = cpu_seconds();
     pcvt_options options;
     pcvt_options_init(&options, sizeof options, PCVT_ABI_VERSION);
@@ -56,7 +56,7 @@ Timed by_interface(const Input& input, const Points& sites) {
 
 void add_abi_case(const Input& input) {
     const auto body = [=](benchmark::State& state) {
-        const Points sites = input.sites();
+        const plane::Points sites = input.sites();
         for ([[maybe_unused]] auto _ : state) {
             double least_call = std::numeric_limits<double>::infinity();
             double least_interface = least_call;

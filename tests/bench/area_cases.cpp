@@ -1,22 +1,22 @@
-#include "mesher/areas/area_cvt.hpp"
-#include "mesher/areas/target_areas.hpp"
+#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/areas/target_areas.hpp"
 #include "tests/bench/cases.hpp"
 
 namespace pcvt::bench {
 namespace {
 
 Eigen::VectorXd grain_areas(const Input& input) {
-    const AreaLaw law = parse_area_law("lognormal:0.42");
-    return scaled_areas(draw_areas(law, input.n, 1), input.n, input.lattice.area());
+    const plane::AreaLaw law = plane::parse_area_law("lognormal:0.42");
+    return plane::scaled_areas(draw_areas(law, input.n, 1), input.n, input.lattice.area());
 }
 
 /// Sites and areas in the order and unit of a triangulation.
 struct AreaProblem {
-    MovingDelaunay delaunay;
+    plane::MovingDelaunay delaunay;
     Eigen::VectorXd areas;
 
     explicit AreaProblem(const Input& input)
-        : delaunay(Sites(input.lattice, input.sites())), areas(input.n) {
+        : delaunay(plane::Sites(input.lattice, input.sites())), areas(input.n) {
         const Eigen::VectorXd given = grain_areas(input);
         for (SiteId s = 0; s < input.n; ++s) areas[s] = given[delaunay.original_id(s)];
         areas *= delaunay.frame().ax * delaunay.frame().by / areas.sum();
@@ -28,10 +28,10 @@ void add_newton(const Input& input) {
     add_case("area_newton", input, [=](benchmark::State& state) {
         const AreaProblem problem(input);
         Workers workers(1);
-        AreaFigures figures;
+        plane::AreaFigures figures;
         for ([[maybe_unused]] auto _ : state) {
-            AreaNewton newton(problem.delaunay, workers);
-            figures = newton.solve(problem.areas, area_tolerance(input.n));
+            plane::AreaNewton newton(problem.delaunay, workers);
+            figures = newton.solve(problem.areas, plane::area_tolerance(input.n));
         }
         if (!figures.converged) state.SkipWithError("the areas were not reached");
         state.counters["newton_steps"] = figures.newton_steps;
@@ -46,9 +46,9 @@ void add_pass(const Input& input) {
     add_case("power_pass", input, [=](benchmark::State& state) {
         const AreaProblem problem(input);
         const Eigen::VectorXd weights = Eigen::VectorXd::Zero(input.n);
-        const WeightedTriangulation regular{problem.delaunay.triangulation(),
-                                            problem.delaunay.coordinates(),
-                                            problem.delaunay.frame(), weights};
+        const plane::WeightedTriangulation regular{problem.delaunay.triangulation(),
+                                                   problem.delaunay.coordinates(),
+                                                   problem.delaunay.frame(), weights};
         Workers workers(1);
         std::vector<double> heights;
         Eigen::VectorXd mass;
@@ -64,8 +64,8 @@ void add_grains(const Input& input) {
     add_case("grains", input, [=](benchmark::State& state) {
         const Eigen::VectorXd areas = grain_areas(input);
         for ([[maybe_unused]] auto _ : state) {
-            const AreaCvtResult result = compute_area_cvt(input.lattice, input.sites(),
-                                                          {.areas = areas, .centroidal_steps = 5});
+            const plane::AreaCvtResult result = compute_area_cvt(
+                input.lattice, input.sites(), {.areas = areas, .centroidal_steps = 5});
             state.counters["error"] = result.areas.largest_relative_error;
         }
     });

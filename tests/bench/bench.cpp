@@ -9,10 +9,10 @@ namespace pcvt::bench {
 namespace {
 
 void add_cases() {
-    const std::pair<std::string, Lattice> lattices[] = {
-        {"unit", Lattice::rectangle(1, 1)},
-        {"oblique", Lattice({1, 0}, {0.37, 0.81})},
-        {"thin", Lattice::rectangle(20, 1)},
+    const std::pair<std::string, plane::Lattice> lattices[] = {
+        {"unit", plane::Lattice::rectangle(1, 1)},
+        {"oblique", plane::Lattice({1, 0}, {0.37, 0.81})},
+        {"thin", plane::Lattice::rectangle(20, 1)},
     };
     for (const int n : {10'000, 100'000, 1'000'000}) {
         for (const auto& [name, lattice] : lattices) {
@@ -22,7 +22,7 @@ void add_cases() {
         }
     }
     for (const int n : {1000, 10'000, 100'000, 1'000'000}) {
-        add_area_cases({"unit", Lattice::rectangle(1, 1), n});
+        add_area_cases({"unit", plane::Lattice::rectangle(1, 1), n});
     }
     for (const int n : {10'000, 100'000}) add_space_cases(n);
     add_single_cases();

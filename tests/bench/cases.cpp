@@ -5,11 +5,11 @@
 #include <ctime>
 #include <vector>
 
-#include "mesher/lattice/sites.hpp"
+#include "mesher/plane/geometry/sites.hpp"
 
 namespace pcvt::bench {
 
-Points Input::sites() const { return uniform_points(lattice, n, 1); }
+plane::Points Input::sites() const { return uniform_points(lattice, n, 1); }
 
 benchmark::internal::Benchmark* add_case(const std::string& name,
                                          const std::function<void(benchmark::State&)>& body) {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "mesher/lattice/lattice.hpp"
+#include "mesher/plane/geometry/lattice.hpp"
 
 namespace pcvt::bench {
 
@@ -16,10 +16,10 @@ inline constexpr double kEnd = 1e-4;
 /// Random sites, the same for all cases: uniform in the fundamental domain.
 struct Input {
     std::string lattice_name;
-    Lattice lattice;
+    plane::Lattice lattice;
     int n;
 
-    Points sites() const;
+    plane::Points sites() const;
 };
 
 /// Registers a case by its name, in the form `<what>/<lattice>/<n>`.

@@ -24,8 +24,8 @@
 #include <vector>
 
 #include "io/run_files/density_expression.hpp"
-#include "mesher/density/density_survey.hpp"
-#include "mesher/energy/density_energy.hpp"
+#include "mesher/plane/density/density_survey.hpp"
+#include "mesher/plane/energy/density_energy.hpp"
 
 namespace pcvt {
 namespace {
@@ -56,15 +56,15 @@ double median(std::vector<double> values) {
 
 /// Random sites drawn from a density, after some Lloyd steps.
 struct Place {
-    Place(const Lattice& lattice, const Density& density)
-        : delaunay(Sites(lattice, graded_points(lattice, density, kSites, 1))),
+    Place(const plane::Lattice& lattice, const plane::Density& density)
+        : delaunay(plane::Sites(lattice, graded_points(lattice, density, kSites, 1))),
           pass(delaunay, workers, lattice, density, 1),
           uniform_pass(delaunay, workers) {
         pass.evaluate(energy);
         Eigen::VectorXf step(2 * kSites);
         for (int k = 0; k < kLloydSteps; ++k) {
             for (int s = 0; s < kSites; ++s) {
-                const Vec2 gradient = energy.gradient.segment<2>(2 * Eigen::Index{s});
+                const plane::Vec2 gradient = energy.gradient.segment<2>(2 * Eigen::Index{s});
                 step.segment<2>(2 * Eigen::Index{s}) =
                     (gradient / (-2 * energy.mass[s])).cast<float>();
             }
@@ -74,15 +74,15 @@ struct Place {
         }
     }
     Workers workers{1};
-    MovingDelaunay delaunay;
-    DensityPass pass;
-    EnergyPass uniform_pass;
-    Energy energy;
+    plane::MovingDelaunay delaunay;
+    plane::DensityPass pass;
+    plane::EnergyPass uniform_pass;
+    plane::Energy energy;
 };
 
 /// Points close to each other, like the points of a cell.
-std::vector<DensityPoint> points_in_rows() {
-    std::vector<DensityPoint> points;
+std::vector<plane::DensityPoint> points_in_rows() {
+    std::vector<plane::DensityPoint> points;
     for (int i = 0; i < kRows; ++i) {
         for (int j = 0; j < kRows; ++j) {
             const double u = (j + 0.3) / kRows;
@@ -93,12 +93,12 @@ std::vector<DensityPoint> points_in_rows() {
     return points;
 }
 
-void print_cost(const std::string& name, const Density& density, double accuracy) {
-    const Lattice lattice = Lattice::rectangle(1, 1);
+void print_cost(const std::string& name, const plane::Density& density, double accuracy) {
+    const plane::Lattice lattice = plane::Lattice::rectangle(1, 1);
     Place place(lattice, density);
     place.pass.choose_orders(accuracy, true);
-    const std::vector<DensityPoint> points = points_in_rows();
-    const DensityFunction function = density.make_function();
+    const std::vector<plane::DensityPoint> points = points_in_rows();
+    const plane::DensityFunction function = density.make_function();
     std::vector<double> rho(points.size());
     std::vector<double> uniform;
     std::vector<double> weighted;
@@ -120,11 +120,11 @@ void print_cost(const std::string& name, const Density& density, double accuracy
 void print_costs() {
     std::printf("%-34s %8s %8s %9s %8s %8s %8s\n", "ns a site, n = 100000", "accuracy", "uniform",
                 "weighted", "asked", "ns each", "ratio");
-    const Density ridge = shared_density([](const DensityPoint& p) {
+    const plane::Density ridge = plane::shared_density([](const plane::DensityPoint& p) {
         const double d = (p.v - 0.5) / 0.08;
         return 1 + 99 * std::exp(-d * d);
     });
-    const Density smooth = shared_density([](const DensityPoint& p) {
+    const plane::Density smooth = plane::shared_density([](const plane::DensityPoint& p) {
         return std::exp(std::sin(2 * std::numbers::pi * p.u) +
                         std::cos(2 * std::numbers::pi * p.v));
     });

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "mesher/cvt/cvt.hpp"
-#include "mesher/energy/energy.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
+#include "mesher/plane/energy/energy.hpp"
 #include "tests/bench/cases.hpp"
 #include "tests/bench/mirror_run.hpp"
 
@@ -15,9 +15,9 @@ namespace pcvt::bench {
 namespace {
 
 /// Runs until the RMS residual is at most `rms`.
-CvtResult run_to_rms(const Input& input, double rms, const ProgressCallback& look = {}) {
-    CvtOptions options;
-    options.solver = Solver::kPlainLbfgs;
+plane::CvtResult run_to_rms(const Input& input, double rms, const ProgressCallback& look = {}) {
+    plane::CvtOptions options;
+    options.solver = plane::Solver::kPlainLbfgs;
     options.tolerance = 0;
     options.progress = [&](const Progress& progress) {
         if (look) look(progress);
@@ -29,9 +29,9 @@ CvtResult run_to_rms(const Input& input, double rms, const ProgressCallback& loo
 /// The first triangulation, from wrapped sites.
 void add_build(const Input& input) {
     add_case("build", input, [=](benchmark::State& state) {
-        const Sites sites(input.lattice, input.sites());
+        const plane::Sites sites(input.lattice, input.sites());
         for ([[maybe_unused]] auto _ : state) {
-            auto delaunay = std::make_unique<MovingDelaunay>(sites);
+            auto delaunay = std::make_unique<plane::MovingDelaunay>(sites);
             state.PauseTiming();
             if (delaunay->counts().n_mirrors) state.SkipWithError("the strips failed");
             delaunay.reset();
@@ -42,11 +42,11 @@ void add_build(const Input& input) {
 
 /// F, gradient and certificate after a small step of the sites, in the converging regime.
 void evaluate_repeatedly(benchmark::State& state, const Input& input, int n_threads) {
-    const CvtResult start = run_to_rms(input, kConverging);
+    const plane::CvtResult start = run_to_rms(input, kConverging);
     Workers workers(n_threads);
-    MovingDelaunay delaunay(start.delaunay.sites());
-    EnergyPass pass(delaunay, workers);
-    Energy energy;
+    plane::MovingDelaunay delaunay(start.delaunay.sites());
+    plane::EnergyPass pass(delaunay, workers);
+    plane::Energy energy;
     Eigen::VectorXf step = Eigen::VectorXf::Random(2 * Eigen::Index{input.n});
     double way = kConverging * delaunay.spacing();
     for ([[maybe_unused]] auto _ : state) {
@@ -73,7 +73,7 @@ void add_iteration(const Input& input) {
             double first = 0;
             double last = 0;
             Progress end;
-            const CvtResult result = run_to_rms(input, kEnd, [&](const Progress& progress) {
+            const plane::CvtResult result = run_to_rms(input, kEnd, [&](const Progress& progress) {
                 last = cpu_seconds();
                 if (progress.iteration == 0) first = last;
                 end = progress;
@@ -120,7 +120,7 @@ void add_memory(const Input& input) {
             cool_the_heap();
             std::ofstream("/proc/self/clear_refs") << "5";
             const double before = status_bytes("VmRSS");
-            CvtOptions options;
+            plane::CvtOptions options;
             options.max_iterations = kIterations;
             benchmark::DoNotOptimize(compute_cvt(input.lattice, input.sites(), options));
             state.counters["bytes_per_site"] = (status_bytes("VmHWM") - before) / input.n;
@@ -136,9 +136,9 @@ void add_small_runs(const Input& input) {
         for ([[maybe_unused]] auto _ : state) {
             int converged = 0;
             for (std::uint64_t seed = 0; seed < kRuns; ++seed) {
-                CvtOptions options;
+                plane::CvtOptions options;
                 options.tolerance = 1e-8;
-                const Points points = uniform_points(input.lattice, input.n, seed);
+                const plane::Points points = uniform_points(input.lattice, input.n, seed);
                 converged +=
                     compute_cvt(input.lattice, points, options).run.stop == Stop::kConverged;
             }
@@ -162,7 +162,7 @@ void add_engine_cases(const Input& input) {
 }
 
 void add_single_cases() {
-    const Lattice unit = Lattice::rectangle(1, 1);
+    const plane::Lattice unit = plane::Lattice::rectangle(1, 1);
     add_abi_case({"unit", unit, 100'000});
     add_small_runs({"unit", unit, 150});
     add_memory({"unit", unit, 1'000'000});

@@ -1,9 +1,9 @@
 #include <filesystem>
 
 #include "io/file_proof.hpp"
-#include "mesher/cvt/cvt.hpp"
-#include "mesher/proof/generated_tile.hpp"
-#include "mesher/tile/build_tile.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
+#include "mesher/plane/proof/generated_tile.hpp"
+#include "mesher/plane/tile/build_tile.hpp"
 #include "tests/bench/cases.hpp"
 
 namespace pcvt::bench {
@@ -12,19 +12,19 @@ namespace {
 /// Cells after this number of iterations have about the valences of a converged run.
 constexpr int kMeshIterations = 20;
 
-CvtResult some_cells(const Input& input) {
-    CvtOptions options;
+plane::CvtResult some_cells(const Input& input) {
+    plane::CvtOptions options;
     options.max_iterations = kMeshIterations;
-    options.numbering = Numbering::kByColumns;
+    options.numbering = plane::Numbering::kByColumns;
     return compute_cvt(input.lattice, input.sites(), options);
 }
 
 /// The tile of the cells, with its proof.
 void add_tile(const Input& input) {
     add_case("tile", input, [=](benchmark::State& state) {
-        const CvtResult cells = some_cells(input);
+        const plane::CvtResult cells = some_cells(input);
         for ([[maybe_unused]] auto _ : state) {
-            const BuiltTile built = build_tile(cells.delaunay, {});
+            const plane::BuiltTile built = build_tile(cells.delaunay, {});
             benchmark::DoNotOptimize(verify_generated_tile(built.tile));
         }
     })->Iterations(1);
@@ -33,8 +33,8 @@ void add_tile(const Input& input) {
 /// Files of the tile: encoded, on the disk, read back and proved.
 void add_files(const Input& input) {
     add_case("files", input, [=](benchmark::State& state) {
-        const CvtResult cells = some_cells(input);
-        const Tile tile = build_tile(cells.delaunay, {}).tile;
+        const plane::CvtResult cells = some_cells(input);
+        const plane::Tile tile = build_tile(cells.delaunay, {}).tile;
         const std::string folder = std::filesystem::temp_directory_path().string();
         for ([[maybe_unused]] auto _ : state) {
             for (const std::string extension : {".obj", ".glb"}) {
@@ -44,7 +44,7 @@ void add_files(const Input& input) {
                 const auto files = encode_tile(format, tile, path);
                 for (const EncodedFile& file : files) outputs.stage(file.path, file.bytes);
                 require_on_disk(outputs, files);
-                prove_tile_files(format, files, tile, Vec2::Zero());
+                prove_tile_files(format, files, tile, plane::Vec2::Zero());
             }
         }
     })->Iterations(1);

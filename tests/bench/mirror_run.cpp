@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "mesher/delaunay/mirror_diagram.hpp"
-#include "mesher/delaunay/predicates.hpp"
-#include "mesher/energy/triangle_terms.hpp"
 #include "mesher/optimize/lbfgs.hpp"
+#include "mesher/plane/delaunay/mirror_diagram.hpp"
+#include "mesher/plane/delaunay/predicates.hpp"
+#include "mesher/plane/energy/triangle_terms.hpp"
 
 namespace pcvt::bench {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 /// basis must be a rectangle along x and y, so that the frame equals the plane.
 class MirrorObjective final : public Objective {
    public:
-    MirrorObjective(const Lattice& lattice, const Points& points)
+    MirrorObjective(const plane::Lattice& lattice, const plane::Points& points)
         : lattice_(lattice), here_(points), there_(points) {}
 
     Eigen::Index n_variables() const override { return here_.size(); }
@@ -22,15 +22,15 @@ class MirrorObjective final : public Objective {
     bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) override {
         there_ = here_;
         if (t != 0) there_.reshaped() += t * direction.cast<double>();
-        const Sites sites(lattice_, there_);
+        const plane::Sites sites(lattice_, there_);
         const auto n = static_cast<Eigen::Index>(sites.n_sites());
         mass_.setZero(n);
         evaluation.gradient.setZero(2 * n);
         evaluation.value = 0;
-        for (const Triangle& triangle : mirror_diagram(sites).triangles) {
+        for (const plane::Triangle& triangle : mirror_diagram(sites).triangles) {
             add(sites, triangle, evaluation);
         }
-        const Points residuals =
+        const plane::Points residuals =
             evaluation.gradient.reshaped(2, n).array().rowwise() / (2 * mass_.transpose().array());
         evaluation.residual = residuals.colwise().norm().maxCoeff() / sites.spacing();
         evaluation.rms_residual = residuals.norm() / std::sqrt(double(n)) / sites.spacing();
@@ -45,14 +45,14 @@ class MirrorObjective final : public Objective {
     }
 
    private:
-    void add(const Sites& sites, const Triangle& triangle, Evaluation& evaluation) {
+    void add(const plane::Sites& sites, const plane::Triangle& triangle, Evaluation& evaluation) {
         const auto corner = [&](int k) {
             return image(sites, triangle[k].site, triangle[k].offset);
         };
-        const ReducedFrame frame{sites.reduction().reduced.a().x(), 0,
-                                 sites.reduction().reduced.b().y()};
-        const TriangleTerms terms = triangle_terms(difference(corner(0), corner(1)),
-                                                   difference(corner(0), corner(2)), frame);
+        const plane::ReducedFrame frame{sites.reduction().reduced.a().x(), 0,
+                                        sites.reduction().reduced.b().y()};
+        const plane::TriangleTerms terms = triangle_terms(difference(corner(0), corner(1)),
+                                                          difference(corner(0), corner(2)), frame);
         evaluation.value += terms.value;
         for (int k = 0; k < 3; ++k) {
             evaluation.gradient.segment<2>(2 * Eigen::Index{triangle[k].site}) += terms.gradient[k];
@@ -60,15 +60,15 @@ class MirrorObjective final : public Objective {
         }
     }
 
-    Lattice lattice_;
-    Points here_;
-    Points there_;
+    plane::Lattice lattice_;
+    plane::Points here_;
+    plane::Points there_;
     Eigen::VectorXd mass_;
 };
 
 }  // namespace
 
-OptimizerResult mirror_run(const Lattice& lattice, const Points& points, double rms) {
+OptimizerResult mirror_run(const plane::Lattice& lattice, const plane::Points& points, double rms) {
     constexpr double kLargestMove = 0.5;
     const double h = std::sqrt(lattice.area() / double(points.cols()));
     MirrorObjective objective(lattice, points);

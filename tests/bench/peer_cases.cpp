@@ -33,7 +33,7 @@ bool did_the_work(const PeerCase& peer_case, int n, const Diagram& diagram) {
 void add_peer(const PeerCase& peer_case, const Input& input) {
     if (input.n > peer_case.most_sites) return;
     add_case(peer_case.what, input, [=](benchmark::State& state) {
-        const Points points = input.sites();
+        const plane::Points points = input.sites();
         for ([[maybe_unused]] auto _ : state) {
             Diagram diagram = peer_case.peer(points);
             state.PauseTiming();

@@ -10,8 +10,8 @@
 #include <vector>
 #include <voro++/voro++.hh>
 
-#include "mesher/delaunay/mirror_diagram.hpp"
-#include "mesher/lattice/sites.hpp"
+#include "mesher/plane/delaunay/mirror_diagram.hpp"
+#include "mesher/plane/geometry/sites.hpp"
 
 namespace pcvt::bench {
 namespace {
@@ -28,7 +28,7 @@ constexpr double kThickness = 0.3;
 constexpr double kCellsPerBlock = 4;
 
 template <class Point>
-void append_copy(const Points& points, double dx, double dy, std::vector<Point>& copies) {
+void append_copy(const plane::Points& points, double dx, double dy, std::vector<Point>& copies) {
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
         copies.emplace_back(points(0, s) + dx, points(1, s) + dy);
     }
@@ -68,7 +68,7 @@ std::int64_t n_triangles_of(const Triangulation& triangulation) {
 
 /// A container for `points` with sqrt(area / n) as the unit of length, because voro++'s tolerances
 /// are absolute.
-std::shared_ptr<voro::container> filled_container(const Points& points) {
+std::shared_ptr<voro::container> filled_container(const plane::Points& points) {
     const double side = std::sqrt(static_cast<double>(points.cols()));
     const int n_blocks = std::max(1, static_cast<int>(side / std::sqrt(kCellsPerBlock)));
     auto container = std::make_shared<voro::container>(0, side, 0, side, 0, kThickness, n_blocks,
@@ -82,7 +82,7 @@ std::shared_ptr<voro::container> filled_container(const Points& points) {
 
 }  // namespace
 
-Diagram cgal_plain(const Points& points) {
+Diagram cgal_plain(const plane::Points& points) {
     std::vector<Kernel::Point_2> copy;
     copy.reserve(static_cast<std::size_t>(points.cols()));
     append_copy(points, 0, 0, copy);
@@ -90,7 +90,7 @@ Diagram cgal_plain(const Points& points) {
     return {n_vertices_of(*plain) - 1, n_triangles_of(*plain), {}, plain};
 }
 
-Diagram cgal_nine_copies(const Points& points) {
+Diagram cgal_nine_copies(const plane::Points& points) {
     std::vector<Kernel::Point_2> copies;
     copies.reserve(9 * static_cast<std::size_t>(points.cols()));
     for (const int i : {-1, 0, 1}) {
@@ -100,7 +100,7 @@ Diagram cgal_nine_copies(const Points& points) {
     return {n_vertices_of(*plain) - 1, count_orbits(*plain), {}, plain};
 }
 
-Diagram cgal_periodic(const Points& points) {
+Diagram cgal_periodic(const plane::Points& points) {
     std::vector<Periodic::Point> copy;
     copy.reserve(static_cast<std::size_t>(points.cols()));
     append_copy(points, 0, 0, copy);
@@ -108,13 +108,13 @@ Diagram cgal_periodic(const Points& points) {
     return {n_vertices_of(*periodic), n_triangles_of(*periodic), {}, periodic};
 }
 
-Diagram mirrors(const Points& points) {
-    const Sites sites(Lattice::rectangle(1, 1), points);
-    const auto diagram = std::make_shared<MirrorDiagram>(mirror_diagram(sites));
+Diagram mirrors(const plane::Points& points) {
+    const plane::Sites sites(plane::Lattice::rectangle(1, 1), points);
+    const auto diagram = std::make_shared<plane::MirrorDiagram>(mirror_diagram(sites));
     return {sites.n_sites(), static_cast<std::int64_t>(diagram->triangles.size()), {}, diagram};
 }
 
-Diagram voro_prisms(const Points& points) {
+Diagram voro_prisms(const plane::Points& points) {
     const auto container = filled_container(points);
     voro::voronoicell cell;
     voro::c_loop_all loop(*container);

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <vector>
 
-#include "mesher/lattice/sites.hpp"
+#include "mesher/plane/geometry/sites.hpp"
 
 namespace pcvt::bench {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 /// The comparison is valid only if all peers do equal work: they find the same triangulation.
 class Peers : public ::testing::TestWithParam<int> {
    protected:
-    Points points_ = uniform_points(Lattice::rectangle(1, 1), GetParam(), 5);
+    plane::Points points_ = uniform_points(plane::Lattice::rectangle(1, 1), GetParam(), 5);
 };
 
 void expect_diagram(const Diagram& diagram, std::int64_t n_vertices, std::int64_t n_triangles) {
@@ -24,7 +24,7 @@ void expect_diagram(const Diagram& diagram, std::int64_t n_vertices, std::int64_
     EXPECT_NE(diagram.structure, nullptr);
 }
 
-std::int64_t n_hull_corners(const Points& points) {
+std::int64_t n_hull_corners(const plane::Points& points) {
     using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
     std::vector<Point> all;
     for (const auto& p : points.colwise()) all.emplace_back(p.x(), p.y());

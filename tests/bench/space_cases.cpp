@@ -1,17 +1,17 @@
 #include <optional>
 
-#include "mesher/space/space_mirrors.hpp"
-#include "mesher/space_cvt/space_cvt.hpp"
-#include "mesher/space_energy/moving_tetrahedra.hpp"
+#include "mesher/space/cvt/cvt.hpp"
+#include "mesher/space/delaunay/mirror_diagram.hpp"
+#include "mesher/space/energy/moving_tetrahedra.hpp"
 #include "tests/bench/cases.hpp"
 #include "tests/bench/space_peers.hpp"
 
 namespace pcvt::bench {
 namespace {
 
-SpaceLattice cube() { return SpaceLattice::box(1, 1, 1); }
+space::Lattice cube() { return space::Lattice::box(1, 1, 1); }
 
-Points3 random_points(int n) { return uniform_points(cube(), n, 1); }
+space::Points random_points(int n) { return uniform_points(cube(), n, 1); }
 
 benchmark::internal::Benchmark* add_in_cube(const std::string& what, int n,
                                             const std::function<void(benchmark::State&)>& body) {
@@ -19,20 +19,20 @@ benchmark::internal::Benchmark* add_in_cube(const std::string& what, int n,
 }
 
 /// Runs until the RMS residual is at most `rms`.
-SpaceCvtResult run_space_to_rms(int n, double rms, const ProgressCallback& look = {}) {
-    SpaceCvtOptions options;
+space::CvtResult run_space_to_rms(int n, double rms, const ProgressCallback& look = {}) {
+    space::CvtOptions options;
     options.tolerance = 0;
     options.progress = [&](const Progress& progress) {
         if (look) look(progress);
         return progress.rms_residual > rms;
     };
-    return compute_space_cvt(cube(), random_points(n), options);
+    return space::compute_cvt(cube(), random_points(n), options);
 }
 
 /// Times the computation from points to triangulation, without its destruction.
 void add_space_peer(const std::string& what, SpacePeer* peer, int n) {
     add_in_cube(what, n, [=](benchmark::State& state) {
-        const Points3 points = random_points(n);
+        const space::Points points = random_points(n);
         for ([[maybe_unused]] auto _ : state) {
             SpaceTriangulation result = peer(points);
             state.PauseTiming();
@@ -44,11 +44,12 @@ void add_space_peer(const std::string& what, SpacePeer* peer, int n) {
 }
 
 /// The first triangulation, from wrapped sites.
-void add_space_build(const std::string& what, int n, TorusTetrahedra (*build)(const SpaceSites&)) {
+void add_space_build(const std::string& what, int n,
+                     space::TorusTetrahedra (*build)(const space::Sites&)) {
     add_in_cube(what, n, [=](benchmark::State& state) {
-        const SpaceSites sites(cube(), random_points(n));
+        const space::Sites sites(cube(), random_points(n));
         for ([[maybe_unused]] auto _ : state) {
-            std::optional<TorusTetrahedra> tetrahedra(build(sites));
+            std::optional<space::TorusTetrahedra> tetrahedra(build(sites));
             state.PauseTiming();
             tetrahedra.reset();
             state.ResumeTiming();
@@ -56,19 +57,19 @@ void add_space_build(const std::string& what, int n, TorusTetrahedra (*build)(co
     });
 }
 
-TorusTetrahedra by_mirrors(const SpaceSites& sites) {
-    return {sites.n_sites(), space_mirrors(sites).tetrahedra};
+space::TorusTetrahedra by_mirrors(const space::Sites& sites) {
+    return {sites.n_sites(), space::mirror_diagram(sites).tetrahedra};
 }
 
 /// F, gradient and certificate after a small step of the sites, in the converging regime.
 void add_space_evaluation(int n) {
     add_in_cube("space_evaluation", n, [=](benchmark::State& state) {
-        const SpaceCvtResult start = run_space_to_rms(n, kConverging);
+        const space::CvtResult start = run_space_to_rms(n, kConverging);
         Workers workers(1);
-        MovingTetrahedra moving(start.delaunay.sites);
-        SpaceEnergy energy;
+        space::MovingTetrahedra moving(start.delaunay.sites);
+        space::Energy energy;
         const Eigen::VectorXf step =
-            Eigen::VectorXf::Random(MovingTetrahedra::kNumbersPerSite * Eigen::Index{n});
+            Eigen::VectorXf::Random(space::MovingTetrahedra::kNumbersPerSite * Eigen::Index{n});
         double way = kConverging * moving.spacing();
         for ([[maybe_unused]] auto _ : state) {
             state.PauseTiming();
@@ -91,12 +92,13 @@ void add_space_iteration(int n) {
             double first = 0;
             double last = 0;
             Progress end;
-            const SpaceCvtResult result = run_space_to_rms(n, kEnd, [&](const Progress& progress) {
-                last = cpu_seconds();
-                if (progress.iteration == 0) first = last;
-                end = progress;
-                return true;
-            });
+            const space::CvtResult result =
+                run_space_to_rms(n, kEnd, [&](const Progress& progress) {
+                    last = cpu_seconds();
+                    if (progress.iteration == 0) first = last;
+                    end = progress;
+                    return true;
+                });
             state.SetIterationTime((last - first) / end.iteration);
             state.counters["run_seconds"] = cpu_seconds() - start;
             state.counters["iterations"] = end.iteration;
@@ -111,7 +113,7 @@ void add_space_iteration(int n) {
 
 void add_space_cases(int n) {
     add_space_peer("cgal_plain_3", cgal_plain_in_space, n);
-    add_space_build("space_build", n, space_tetrahedra);
+    add_space_build("space_build", n, space::torus_tetrahedra);
     add_space_build("space_mirrors", n, by_mirrors);
     add_space_peer("cgal_periodic_3", cgal_periodic_in_space, n);
     add_space_evaluation(n);

@@ -16,7 +16,7 @@ using SpaceTraits = CGAL::Periodic_3_Delaunay_triangulation_traits_3<Kernel>;
 using PeriodicSpace = CGAL::Periodic_3_Delaunay_triangulation_3<SpaceTraits>;
 
 template <class Point>
-std::vector<Point> converted(const Points3& points) {
+std::vector<Point> converted(const space::Points& points) {
     std::vector<Point> copy;
     copy.reserve(static_cast<std::size_t>(points.cols()));
     for (const auto& p : points.colwise()) copy.emplace_back(p.x(), p.y(), p.z());
@@ -25,14 +25,14 @@ std::vector<Point> converted(const Points3& points) {
 
 }  // namespace
 
-SpaceTriangulation cgal_plain_in_space(const Points3& points) {
+SpaceTriangulation cgal_plain_in_space(const space::Points& points) {
     const auto copy = converted<Kernel::Point_3>(points);
     const auto plain = std::make_shared<PlainSpace>(copy.begin(), copy.end());
     return {static_cast<std::int64_t>(plain->number_of_vertices()),
             static_cast<std::int64_t>(plain->number_of_finite_cells()), plain};
 }
 
-SpaceTriangulation cgal_periodic_in_space(const Points3& points) {
+SpaceTriangulation cgal_periodic_in_space(const space::Points& points) {
     const auto copy = converted<PeriodicSpace::Point>(points);
     const auto periodic = std::make_shared<PeriodicSpace>();
     periodic->insert(copy.begin(), copy.end(), true);

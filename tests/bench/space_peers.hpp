@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "mesher/space/space_lattice.hpp"
+#include "mesher/space/geometry/lattice.hpp"
 
 namespace pcvt::bench {
 
@@ -18,13 +18,13 @@ struct SpaceTriangulation {
 };
 
 /// @param points  3 x n in [0, 1)^3.
-using SpacePeer = SpaceTriangulation(const Points3& points);
+using SpacePeer = SpaceTriangulation(const space::Points& points);
 
 /// CGAL's Delaunay_triangulation_3 of the n points by one spatially sorted insertion, not periodic.
 /// The unit of all ratios in space.
-SpaceTriangulation cgal_plain_in_space(const Points3& points);
+SpaceTriangulation cgal_plain_in_space(const space::Points& points);
 
 /// CGAL's Periodic_3_Delaunay_triangulation_3 by its insertion for large sets, with dummy points.
-SpaceTriangulation cgal_periodic_in_space(const Points3& points);
+SpaceTriangulation cgal_periodic_in_space(const space::Points& points);
 
 }  // namespace pcvt::bench

@@ -83,7 +83,7 @@ Job run_job(std::uint64_t seed, std::int64_t number) {
     Job job;
     try {
         const Beginning beginning = any_beginning(random);
-        const Lattice& reduced = beginning.sites.reduction().reduced;
+        const plane::Lattice& reduced = beginning.sites.reduction().reduced;
         std::ostringstream text;
         text.precision(17);
         text << beginning.lattice_kind << " lattice (" << reduced.a().transpose() << ") ("

@@ -18,12 +18,12 @@
 #include "io/tile_formats.hpp"
 #include "io/voxels/vti_writer.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/cvt/cvt.hpp"
 #include "mesher/finite_volume/mpas_grid_proof.hpp"
-#include "mesher/interfaces/inclusion_set.hpp"
-#include "mesher/mesh/voronoi.hpp"
-#include "mesher/proof/generated_tile.hpp"
-#include "mesher/tile/build_tile.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
+#include "mesher/plane/interfaces/inclusion_set.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
+#include "mesher/plane/proof/generated_tile.hpp"
+#include "mesher/plane/tile/build_tile.hpp"
 #include "plugin/study/study.hpp"
 #include "tests/support/hexagons.hpp"
 #include "tests/support/png_bytes.hpp"
@@ -40,29 +40,29 @@ constexpr Eigen::Index kMostMeshedSites = 24;
 /// Images up to this size are integrated as well.
 constexpr int kMostSampledPixels = 1 << 12;
 
-const Lattice& oblique() {
-    static const Lattice lattice({1, 0}, {0.37, 0.81});
+const plane::Lattice& oblique() {
+    static const plane::Lattice lattice({1, 0}, {0.37, 0.81});
     return lattice;
 }
 
-PeriodicDelaunay few_sites(int n) {
-    return PeriodicDelaunay(Sites(oblique(), uniform_points(oblique(), n, 5)));
+plane::PeriodicDelaunay few_sites(int n) {
+    return plane::PeriodicDelaunay(plane::Sites(oblique(), uniform_points(oblique(), n, 5)));
 }
 
 /// Small tiles of every kind, outline and order.
-std::vector<Tile> example_tiles() {
-    std::vector<Tile> tiles;
-    for (const TileOptions& options :
-         {TileOptions{.kind = MeshKind::kVoronoi},
-          TileOptions{.kind = MeshKind::kVoronoi, .outline = Outline::kBox},
-          TileOptions{.kind = MeshKind::kDelaunay, .columns = 2},
-          TileOptions{.kind = MeshKind::kGrains, .grain_per_edge = 1},
-          TileOptions{.kind = MeshKind::kGrains, .grain_per_edge = 1, .order = 2}}) {
+std::vector<plane::Tile> example_tiles() {
+    std::vector<plane::Tile> tiles;
+    for (const plane::TileOptions& options :
+         {plane::TileOptions{.kind = plane::MeshKind::kVoronoi},
+          plane::TileOptions{.kind = plane::MeshKind::kVoronoi, .outline = plane::Outline::kBox},
+          plane::TileOptions{.kind = plane::MeshKind::kDelaunay, .columns = 2},
+          plane::TileOptions{.kind = plane::MeshKind::kGrains, .grain_per_edge = 1},
+          plane::TileOptions{.kind = plane::MeshKind::kGrains, .grain_per_edge = 1, .order = 2}}) {
         tiles.push_back(build_tile(few_sites(3), options).tile);
     }
     // The last of the shapes of cells has weights and a metric.
     const testing::CellShape shape = testing::cell_shapes().back();
-    for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kGrains}) {
+    for (const plane::MeshKind kind : {plane::MeshKind::kVoronoi, plane::MeshKind::kGrains}) {
         tiles.push_back(testing::power_tile(oblique(), 3, 1, shape, {.kind = kind}));
     }
     return tiles;
@@ -82,8 +82,8 @@ std::vector<FileOptions> file_forms(const TileFormat& format) {
 std::vector<std::string> tile_seeds(const TileFormat& format) {
     std::vector<std::string> seeds;
     const std::string path = "t" + std::string(format.extension);
-    for (const Tile& tile : example_tiles()) {
-        if (!format.holds_polygons && tile.kind == MeshKind::kVoronoi) continue;
+    for (const plane::Tile& tile : example_tiles()) {
+        if (!format.holds_polygons && tile.kind == plane::MeshKind::kVoronoi) continue;
         if (tile.order > format.highest_order) continue;
         for (const FileOptions& form : file_forms(format)) {
             std::vector<std::string> files;
@@ -109,8 +109,8 @@ void read_tile(const TileFormat& format, const std::string& bytes) {
         }
     }
     const TileFile file = decode_tile(format, files, oblique());
-    const TileProof proof = prove_file(format, files, file);
-    if (file.tile.kind != MeshKind::kGrains) prove_voronoi(file.tile, proof, 1e-6);
+    const plane::TileProof proof = prove_file(format, files, file);
+    if (file.tile.kind != plane::MeshKind::kGrains) prove_voronoi(file.tile, proof, 1e-6);
 }
 
 /// The files of a tile in space with three cells in each form, of one without its short edges, and
@@ -123,12 +123,13 @@ std::vector<std::vector<EncodedFile>> space_files(const char* path) {
             sets.push_back(format.encode(random_space_tile(3), {.surfaces = form}, path));
             if (format.surfaces != FormatSurfaces::kChosen) break;
         }
-        sets.push_back(format.encode(random_space_tile(5, kLongestSpaceShortEdge), {}, path));
+        sets.push_back(format.encode(random_space_tile(5, space::kLongestShortEdge), {}, path));
     }
     if (format.encode_tetrahedra != nullptr) {
-        const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
-        const SpaceSites sites(cube, uniform_points(cube, 3, 1));
-        sets.push_back(format.encode_tetrahedra(tetrahedral_mesh(space_delaunay(sites)), path));
+        const space::Lattice cube = space::Lattice::box(1, 1, 1);
+        const space::Sites sites(cube, uniform_points(cube, 3, 1));
+        sets.push_back(
+            format.encode_tetrahedra(tetrahedral_mesh(space::periodic_delaunay(sites)), path));
     }
     return sets;
 }
@@ -169,8 +170,8 @@ void read_grid(const std::string& bytes) {
 }
 
 std::vector<std::string> grid_seeds() {
-    const PeriodicMesh cells = hexagonal_cells(3, 4);
-    const Torus torus{cells, Vec2::Zero(), {}};
+    const plane::PeriodicMesh cells = hexagonal_cells(3, 4);
+    const Torus torus{cells, plane::Vec2::Zero(), {}};
     TorusWriter* write = std::get<TorusWriter*>(find_tile_format("t.nc")->write);
     return {write(torus, "t.nc").front().bytes};
 }
@@ -181,11 +182,12 @@ void read_voxels(const std::string& bytes) {
 }
 
 std::vector<std::string> voxel_seeds() {
-    const Lattice lattice = Lattice::rectangle(2, 1);
-    const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 5, 1)));
-    VoxelCells cells{.lattice = lattice, .sites = Points(2, 5)};
+    const plane::Lattice lattice = plane::Lattice::rectangle(2, 1);
+    const plane::PeriodicDelaunay delaunay(plane::Sites(lattice, uniform_points(lattice, 5, 1)));
+    plane::VoxelCells cells{.lattice = lattice, .sites = plane::Points(2, 5)};
     for (SiteId s = 0; s < 5; ++s) cells.sites.col(s) = delaunay.sites().position(s);
-    const VoxelImage image = voxel_image(delaunay, {}, voxel_grid(lattice, {0, 0}, {6, 4}), 1);
+    const plane::VoxelImage image =
+        voxel_image(delaunay, {}, voxel_grid(lattice, {0, 0}, {6, 4}), 1);
     return {encode_vti(image, cells, {}, {}, "t.vti").front().bytes};
 }
 
@@ -202,7 +204,7 @@ void read_seam(const std::string& bytes) { decode_seam("t.seam.json", bytes); }
 
 std::vector<std::string> seam_seeds() {
     std::vector<std::string> seeds;
-    for (const Tile& tile : example_tiles()) seeds.push_back(encode_seam(tile));
+    for (const plane::Tile& tile : example_tiles()) seeds.push_back(encode_seam(tile));
     return seeds;
 }
 
@@ -210,10 +212,10 @@ void read_site_text(const std::string& bytes) {
     const SiteFile file = parse_sites<2>("sites.txt", bytes);
     if (file.points.cols() > kMostMeshedSites) return;
     // As every run of the command, it refuses sites that nearly coincide.
-    CvtOptions options;
+    plane::CvtOptions options;
     options.max_iterations = 0;
-    const CvtResult result = compute_cvt(oblique(), file.points, options);
-    for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
+    const plane::CvtResult result = compute_cvt(oblique(), file.points, options);
+    for (const plane::Outline outline : {plane::Outline::kWhole, plane::Outline::kBox}) {
         verify_generated_tile(build_tile(result.delaunay, {.outline = outline}).tile);
     }
 }
@@ -229,7 +231,7 @@ std::vector<std::string> area_seeds() {
 
 void read_inclusion_text(const std::string& bytes) {
     const InclusionFile file = parse_inclusions("inclusions.txt", bytes);
-    InclusionSet(Lattice({1, 0}, {0.3, 0.9}), file.inclusions);
+    plane::InclusionSet(plane::Lattice({1, 0}, {0.3, 0.9}), file.inclusions);
 }
 
 std::vector<std::string> inclusion_seeds() {
@@ -266,7 +268,7 @@ std::vector<std::string> csv_seeds() {
 }
 
 void read_formula(const std::string& bytes) {
-    const Density density = expression_density(bytes);
+    const plane::Density density = expression_density(bytes);
     densities_at(density, oblique(), uniform_points(oblique(), 3, 2));
 }
 

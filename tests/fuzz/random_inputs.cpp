@@ -20,7 +20,7 @@ double power_of_ten(std::mt19937_64& random, double from, double to) {
     return std::pow(10, from + (to - from) * uniform(random));
 }
 
-Vec2 turned(const Vec2& p, double angle) {
+plane::Vec2 turned(const plane::Vec2& p, double angle) {
     return {std::cos(angle) * p.x() - std::sin(angle) * p.y(),
             std::sin(angle) * p.x() + std::cos(angle) * p.y()};
 }
@@ -32,9 +32,10 @@ NamedLattice any_lattice(std::mt19937_64& random) {
     const double angle = 7 * uniform(random);
     switch (random() % 9) {
         case 0:
-            return {"unit", Lattice::rectangle(1, 1)};
+            return {"unit", plane::Lattice::rectangle(1, 1)};
         case 1:
-            return {"thin", x < 0.5 ? Lattice::rectangle(1, thin) : Lattice::rectangle(thin, 1)};
+            return {"thin", x < 0.5 ? plane::Lattice::rectangle(1, thin)
+                                    : plane::Lattice::rectangle(thin, 1)};
         case 2:
             return {"thin turned", {turned({1, 0}, angle), turned({x, thin}, angle)}};
         case 3:
@@ -44,9 +45,9 @@ NamedLattice any_lattice(std::mt19937_64& random) {
         case 5:
             return {"hexagonal", {{1, 0}, {0.5, std::sqrt(0.75)}}};
         case 6:
-            return {"scaled", {thin * Vec2(1e-9, 0), thin * Vec2(x * 1e-9, 1e-9)}};
+            return {"scaled", {thin * plane::Vec2(1e-9, 0), thin * plane::Vec2(x * 1e-9, 1e-9)}};
         case 7:
-            return {"scaled", {thin * Vec2(1e7, 0), thin * Vec2(0, (1 + x) * 1e7)}};
+            return {"scaled", {thin * plane::Vec2(1e7, 0), thin * plane::Vec2(0, (1 + x) * 1e7)}};
         default:
             return {"random", random_lattice(random)};
     }
@@ -59,55 +60,55 @@ int any_number(std::mt19937_64& random) {
 }
 
 /// Lattice coordinates on a grid with a random number of columns; the last row may be incomplete.
-Points grid(std::mt19937_64& random, int n) {
+plane::Points grid(std::mt19937_64& random, int n) {
     const int columns = 1 + static_cast<int>(random() % static_cast<unsigned>(n));
     const int rows = (n + columns - 1) / columns;
-    Points u(2, n);
+    plane::Points u(2, n);
     for (int s = 0; s < n; ++s) {
         u.col(s) << double(s % columns) / columns, double(s / columns) / rows;
     }
     return u;
 }
 
-Points near_cocircular(std::mt19937_64& random, int n) {
-    Points u = grid(random, n);
+plane::Points near_cocircular(std::mt19937_64& random, int n) {
+    plane::Points u = grid(random, n);
     for (double& x : u.reshaped()) x += (double(random() % 3) - 1) * kUlp;
     return u;
 }
 
-Points uniform_sites(std::mt19937_64& random, int n) {
-    Points u(2, n);
+plane::Points uniform_sites(std::mt19937_64& random, int n) {
+    plane::Points u(2, n);
     for (double& x : u.reshaped()) x = uniform(random);
     return u;
 }
 
-Points sites_on_the_seam(std::mt19937_64& random, int n) {
-    Points u = uniform_sites(random, n);
+plane::Points sites_on_the_seam(std::mt19937_64& random, int n) {
+    plane::Points u = uniform_sites(random, n);
     for (int s = 0; s < n; ++s) {
         if (random() % 2 == 0) u(random() % 2, s) = random() % 2 == 0 ? 0 : 1 - kUlp;
     }
     return u;
 }
 
-Points sites_on_a_line(std::mt19937_64& random, int n) {
-    const Points start = uniform_sites(random, 1);
+plane::Points sites_on_a_line(std::mt19937_64& random, int n) {
+    const plane::Points start = uniform_sites(random, 1);
     const auto i = static_cast<double>(random() % 3);
     const auto j = static_cast<double>(random() % 3);
-    Points u(2, n);
-    for (int s = 0; s < n; ++s) u.col(s) = start + (s + 0.5) / n * Vec2(i, j);
+    plane::Points u(2, n);
+    for (int s = 0; s < n; ++s) u.col(s) = start + (s + 0.5) / n * plane::Vec2(i, j);
     return u;
 }
 
-Points clusters(std::mt19937_64& random, int n) {
-    const Points centres = uniform_sites(random, 1 + static_cast<int>(random() % 4));
+plane::Points clusters(std::mt19937_64& random, int n) {
+    const plane::Points centres = uniform_sites(random, 1 + static_cast<int>(random() % 4));
     std::normal_distribution<double> normal(0, power_of_ten(random, -7, -1));
-    Points u(2, n);
+    plane::Points u(2, n);
     for (double& x : u.reshaped()) x = normal(random);
     for (int s = 0; s < n; ++s) u.col(s) += centres.col(s % centres.cols());
     return u;
 }
 
-std::pair<std::string, Points> any_sites(std::mt19937_64& random, int n) {
+std::pair<std::string, plane::Points> any_sites(std::mt19937_64& random, int n) {
     switch (random() % 7) {
         case 0:
             return {"grid", grid(random, n)};
@@ -130,9 +131,9 @@ Beginning any_beginning(std::mt19937_64& random) {
     for (;;) {
         const auto [lattice_kind, lattice] = any_lattice(random);
         auto [sites_kind, u] = any_sites(random, any_number(random));
-        const Reduction reduction = reduce(lattice);
-        for (double& x : u.reshaped()) x = wrap(x).fraction;
-        Sites sites(lattice, reduction, std::move(u));
+        const plane::Reduction reduction = reduce(lattice);
+        for (double& x : u.reshaped()) x = plane::wrap(x).fraction;
+        plane::Sites sites(lattice, reduction, std::move(u));
         if (sites.duplicates().first < 0) return {lattice_kind, sites_kind, std::move(sites)};
     }
 }

@@ -3,7 +3,7 @@
 #include <random>
 #include <string>
 
-#include "mesher/lattice/sites.hpp"
+#include "mesher/plane/geometry/sites.hpp"
 
 namespace pcvt::testing {
 
@@ -11,7 +11,7 @@ namespace pcvt::testing {
 struct Beginning {
     std::string lattice_kind;
     std::string sites_kind;
-    Sites sites;
+    plane::Sites sites;
 };
 
 /// A lattice of any kind (square, thin up to 1 : 1000, oblique, skewed, hexagonal, tiny, huge,

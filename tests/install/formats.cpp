@@ -5,19 +5,19 @@
 #include <string>
 
 #include "io/tile_formats.hpp"
-#include "mesher/cvt/cvt.hpp"
-#include "mesher/mesh/outline.hpp"
-#include "mesher/mesh/voronoi.hpp"
-#include "mesher/search/lattice_pattern.hpp"
-#include "mesher/tile/tile_builder.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
+#include "mesher/plane/mesh/outline.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
+#include "mesher/plane/search/lattice_pattern.hpp"
+#include "mesher/plane/tile/tile_builder.hpp"
 
 namespace {
 
 /// Formats of whole tori need acute triangles, as the best lattice has them.
-void repeat_grid(const pcvt::TileFormat& format, const pcvt::Lattice& lattice) {
+void repeat_grid(const pcvt::TileFormat& format, const pcvt::plane::Lattice& lattice) {
     const auto points = pcvt::pattern_points(pcvt::best_lattice(lattice, 30));
     const auto result = pcvt::compute_cvt(lattice, points, {});
-    const auto cells = pcvt::periodic_mesh(result.delaunay, pcvt::MeshKind::kVoronoi);
+    const auto cells = pcvt::periodic_mesh(result.delaunay, pcvt::plane::MeshKind::kVoronoi);
     const pcvt::Torus torus{cells, {0, 0}, {}};
     const auto files = std::get<pcvt::TorusWriter*>(format.write)(torus, "grid");
     const pcvt::MpasGrid back = std::get<pcvt::GridReader*>(format.read)(files);
@@ -27,10 +27,10 @@ void repeat_grid(const pcvt::TileFormat& format, const pcvt::Lattice& lattice) {
 }  // namespace
 
 int main() {
-    const pcvt::Lattice lattice = pcvt::Lattice::rectangle(1, 1);
+    const pcvt::plane::Lattice lattice = pcvt::plane::Lattice::rectangle(1, 1);
     const auto result = pcvt::compute_cvt(lattice, pcvt::uniform_points(lattice, 20, 1), {});
     // All formats support triangles.
-    const auto mesh = pcvt::periodic_mesh(result.delaunay, pcvt::MeshKind::kDelaunay);
+    const auto mesh = pcvt::periodic_mesh(result.delaunay, pcvt::plane::MeshKind::kDelaunay);
     const auto tile = pcvt::make_tile(mesh, pcvt::whole_outline(mesh, {0, 0}));
     for (const pcvt::TileFormat& format : pcvt::tile_formats()) {
         if (format.reads_grid()) repeat_grid(format, lattice);

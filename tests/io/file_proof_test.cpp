@@ -6,13 +6,13 @@
 
 #include "io/gltf/gltf_writer.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/cvt/cvt.hpp"
-#include "mesher/mesh/outline.hpp"
-#include "mesher/mesh/voronoi.hpp"
-#include "mesher/proof/generated_tile.hpp"
-#include "mesher/tile/build_tile.hpp"
-#include "mesher/tile/site_positions.hpp"
-#include "mesher/tile/tile_builder.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
+#include "mesher/plane/mesh/outline.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
+#include "mesher/plane/proof/generated_tile.hpp"
+#include "mesher/plane/tile/build_tile.hpp"
+#include "mesher/plane/tile/site_positions.hpp"
+#include "mesher/plane/tile/tile_builder.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
@@ -24,15 +24,15 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using testing::kSquare;
 
-Tile cells(const Lattice& lattice, int n) {
-    const CvtResult result = compute_cvt(lattice, uniform_points(lattice, n, 0), {});
-    const PeriodicMesh mesh = periodic_mesh(result.delaunay, MeshKind::kVoronoi);
-    return make_tile(mesh, whole_outline(mesh, Vec2::Zero()));
+plane::Tile cells(const plane::Lattice& lattice, int n) {
+    const plane::CvtResult result = compute_cvt(lattice, uniform_points(lattice, n, 0), {});
+    const plane::PeriodicMesh mesh = periodic_mesh(result.delaunay, plane::MeshKind::kVoronoi);
+    return make_tile(mesh, whole_outline(mesh, plane::Vec2::Zero()));
 }
 
 const TileFormat& glb() { return *find_tile_format("t.glb"); }
 
-std::string glb_refusal(const Tile& tile, const Vec2& origin) {
+std::string glb_refusal(const plane::Tile& tile, const plane::Vec2& origin) {
     try {
         prove_tile_files(glb(), encode_glb(tile, {}, "t.glb"), tile, origin);
     } catch (const InvalidInput& error) {
@@ -42,37 +42,39 @@ std::string glb_refusal(const Tile& tile, const Vec2& origin) {
 }
 
 TEST(FileProof, AFaithfulFileIsProved) {
-    const Tile tile = cells(Lattice::rectangle(1, 1), 8);
+    const plane::Tile tile = cells(plane::Lattice::rectangle(1, 1), 8);
     EXPECT_NO_THROW(verify_generated_tile(tile));
-    EXPECT_NO_THROW(prove_tile_files(glb(), encode_glb(tile, {}, "t.glb"), tile, Vec2::Zero()));
+    EXPECT_NO_THROW(
+        prove_tile_files(glb(), encode_glb(tile, {}, "t.glb"), tile, plane::Vec2::Zero()));
 }
 
 TEST(FileProof, ABrokenFileOfATileThatFitsIsAFaultOfPcvt) {
-    const Tile tile = cells(Lattice::rectangle(1, 1), 8);
-    Tile moved = tile;
+    const plane::Tile tile = cells(plane::Lattice::rectangle(1, 1), 8);
+    plane::Tile moved = tile;
     moved.points[moved.vertex_pairs.at(0).w].x() += 1e-3;
-    EXPECT_THROW(prove_tile_files(glb(), encode_glb(moved, {}, "t.glb"), tile, Vec2::Zero()),
+    EXPECT_THROW(prove_tile_files(glb(), encode_glb(moved, {}, "t.glb"), tile, plane::Vec2::Zero()),
                  InternalError);
-    Tile unpaired = tile;
+    plane::Tile unpaired = tile;
     unpaired.vertex_pairs.pop_back();
-    EXPECT_THROW(prove_tile_files(glb(), encode_glb(unpaired, {}, "t.glb"), tile, Vec2::Zero()),
-                 InternalError);
+    EXPECT_THROW(
+        prove_tile_files(glb(), encode_glb(unpaired, {}, "t.glb"), tile, plane::Vec2::Zero()),
+        InternalError);
 }
 
-void prove_written(const std::string& path, const Tile& written, const Tile& proved) {
+void prove_written(const std::string& path, const plane::Tile& written, const plane::Tile& proved) {
     const TileFormat& format = *find_tile_format(path);
-    prove_tile_files(format, encode_tile(format, written, path), proved, Vec2::Zero());
+    prove_tile_files(format, encode_tile(format, written, path), proved, plane::Vec2::Zero());
 }
 
 TEST(FileProof, AFileIsComparedInEveryNumberBeforeItsProofIsSkipped) {
-    const Tile tile = cells(Lattice({1, 0}, {0.37, 0.81}), 9);
-    Tile moved = tile;
+    const plane::Tile tile = cells(plane::Lattice({1, 0}, {0.37, 0.81}), 9);
+    plane::Tile moved = tile;
     moved.points[moved.vertex_pairs.at(0).w].x() += 1e-12;
     for (const char* path : {"t.obj", "t.ply", "t.vtu", "t.foam"}) {
         EXPECT_NO_THROW(prove_written(path, tile, tile)) << path;
         EXPECT_THROW(prove_written(path, moved, tile), InternalError) << path;
     }
-    Tile turned = tile;
+    plane::Tile turned = tile;
     std::reverse(turned.faces.corners.begin(),
                  turned.faces.corners.begin() + turned.faces.begin[1]);
     for (const char* path : {"t.obj", "t.ply", "t.vtu"}) {
@@ -81,8 +83,8 @@ TEST(FileProof, AFileIsComparedInEveryNumberBeforeItsProofIsSkipped) {
 }
 
 TEST(FileProof, StoredPairsAreComparedToo) {
-    const Tile tile = cells(Lattice({1, 0}, {0.37, 0.81}), 9);
-    Tile unpaired = tile;
+    const plane::Tile tile = cells(plane::Lattice({1, 0}, {0.37, 0.81}), 9);
+    plane::Tile unpaired = tile;
     unpaired.edge_pairs.pop_back();
     EXPECT_THROW(prove_written("t.obj", unpaired, tile), InternalError);
     unpaired = tile;
@@ -94,17 +96,17 @@ TEST(FileProof, StoredPairsAreComparedToo) {
 
 /// Sites nearly on one circle, of which two Voronoi vertices that no edge joins are closer than
 /// 1e-9 h: to join them would pinch the cell between them.
-PeriodicDelaunay nearly_cocircular_sites() {
-    Points points(2, 6);
+plane::PeriodicDelaunay nearly_cocircular_sites() {
+    plane::Points points(2, 6);
     points << 0.7059980078109676, 0.7774208217624856, 0.7972796284959138, 0.7973416347636813,
         0.7749882330486988, 0.7654095185644108, 0.2819063944314911, 0.3858173057792841,
         0.4596909133082334, 0.4601508807045719, 0.6199227739994844, 0.6398491598085132;
-    return PeriodicDelaunay(Sites(Lattice::rectangle(1, 1), points));
+    return plane::PeriodicDelaunay(plane::Sites(plane::Lattice::rectangle(1, 1), points));
 }
 
 TEST(FileProof, VerticesThatNoEdgeJoinsStayTwoInTheMesh) {
-    const PeriodicDelaunay delaunay = nearly_cocircular_sites();
-    const PeriodicMesh mesh = cell_mesh(delaunay);
+    const plane::PeriodicDelaunay delaunay = nearly_cocircular_sites();
+    const plane::PeriodicMesh mesh = cell_mesh(delaunay);
     double shortest = 1;
     double nearest = 1;
     for (int v = 0; v < mesh.n_vertices(); ++v) {
@@ -116,18 +118,18 @@ TEST(FileProof, VerticesThatNoEdgeJoinsStayTwoInTheMesh) {
         shortest = std::min(shortest, (mesh.point(mesh.next(c)) - mesh.point(c)).norm());
     }
     const double h = delaunay.sites().spacing();
-    EXPECT_LT(nearest, kSameVertex * h);
-    EXPECT_GE(shortest, kSameVertex * h);
+    EXPECT_LT(nearest, plane::kSameVertex * h);
+    EXPECT_GE(shortest, plane::kSameVertex * h);
 }
 
 TEST(FileProof, NearlyCocircularSitesAreProvedInEveryFormat) {
-    const PeriodicDelaunay delaunay = nearly_cocircular_sites();
-    for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay}) {
-        const Tile tile = build_tile(delaunay, {.kind = kind}).tile;
+    const plane::PeriodicDelaunay delaunay = nearly_cocircular_sites();
+    for (const plane::MeshKind kind : {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay}) {
+        const plane::Tile tile = build_tile(delaunay, {.kind = kind}).tile;
         verify_generated_tile(tile);
         for (const TileFormat& format : tile_formats()) {
             if (!format.needs_tile() || !format.is_readable()) continue;
-            if (!format.holds_polygons && kind == MeshKind::kVoronoi) continue;
+            if (!format.holds_polygons && kind == plane::MeshKind::kVoronoi) continue;
             const std::string path = "t" + std::string(format.extension);
             const TileFile file = decode_tile(format, encode_tile(format, tile, path), {});
             EXPECT_NO_THROW(prove_tile_file(file)) << path;
@@ -137,12 +139,14 @@ TEST(FileProof, NearlyCocircularSitesAreProvedInEveryFormat) {
 }
 
 /// A tile that knows where its sites lie.
-Tile placed_cells(const Lattice& lattice, int n) {
-    return build_tile(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, n, 5))), {}).tile;
+plane::Tile placed_cells(const plane::Lattice& lattice, int n) {
+    return build_tile(plane::PeriodicDelaunay(plane::Sites(lattice, uniform_points(lattice, n, 5))),
+                      {})
+        .tile;
 }
 
 TEST(FileProof, TwoExchangedSitesAreFoundInAFileWithTheirPositions) {
-    const Tile tile = placed_cells(Lattice({1, 0}, {0.37, 0.81}), 9);
+    const plane::Tile tile = placed_cells(plane::Lattice({1, 0}, {0.37, 0.81}), 9);
     for (const char* path : {"t.obj", "t.ply", "t.glb", "t.gltf", "t.om"}) {
         const TileFormat& format = *find_tile_format(path);
         TileFile file = decode_tile(format, encode_tile(format, tile, path), std::nullopt);
@@ -154,7 +158,7 @@ TEST(FileProof, TwoExchangedSitesAreFoundInAFileWithTheirPositions) {
 }
 
 TEST(FileProof, AFileWithoutPositionsIsProvedToHaveAllSites) {
-    const Tile tile = cells(Lattice({1, 0}, {0.37, 0.81}), 9);
+    const plane::Tile tile = cells(plane::Lattice({1, 0}, {0.37, 0.81}), 9);
     for (const char* path : {"t.obj", "t.ply", "t.glb", "t.gltf", "t.om"}) {
         const TileFormat& format = *find_tile_format(path);
         TileFile file = decode_tile(format, encode_tile(format, tile, path), std::nullopt);
@@ -166,8 +170,8 @@ TEST(FileProof, AFileWithoutPositionsIsProvedToHaveAllSites) {
 }
 
 TEST(FileProof, TheSitesOfAFileAreThoseOfTheTileThatWasWritten) {
-    const Tile tile = placed_cells(Lattice::rectangle(1, 1), 8);
-    Tile exchanged = tile;
+    const plane::Tile tile = placed_cells(plane::Lattice::rectangle(1, 1), 8);
+    plane::Tile exchanged = tile;
     std::swap(exchanged.face_site[2], exchanged.face_site[5]);
     exchanged.site_positions = site_positions(tile);
     for (const char* path : {"t.obj", "t.ply", "t.glb"}) {
@@ -177,7 +181,7 @@ TEST(FileProof, TheSitesOfAFileAreThoseOfTheTileThatWasWritten) {
 }
 
 TEST(FileProof, ATileTooFineForFloatsIsRefusedWithTheAdviceThatHelps) {
-    const Tile thin = cells(Lattice::rectangle(1, 1e-4), 1);
+    const plane::Tile thin = cells(plane::Lattice::rectangle(1, 1e-4), 1);
     EXPECT_NO_THROW(verify_generated_tile(thin));
     EXPECT_THAT(glb_refusal(thin, {0, 0}), EndsWith("take another format"));
     EXPECT_THAT(glb_refusal(thin, {1, 0}), EndsWith("or an origin nearer to 0,0"));
@@ -186,17 +190,17 @@ TEST(FileProof, ATileTooFineForFloatsIsRefusedWithTheAdviceThatHelps) {
 
 TEST(FileProof, SitesMustReadBackAsTheyWere) {
     const TileFormat& txt = *find_tile_format("s.txt");
-    const Points sites = uniform_points(Lattice::rectangle(1, 1), 4, 0);
+    const plane::Points sites = uniform_points(plane::Lattice::rectangle(1, 1), 4, 0);
     const auto files = std::get<SiteWriter*>(txt.write)(sites, "s.txt");
     EXPECT_NO_THROW(prove_site_files(txt, files, sites));
-    Points others = sites;
+    plane::Points others = sites;
     others(0, 3) += 0x1p-40;
     EXPECT_THROW(prove_site_files(txt, files, others), InternalError);
 }
 
 /// Returns the refusal of the files of `tile` with `piece` replaced in the file that ends with
 /// `name`.
-std::string fault_with(const Tile& tile, const std::string& path, const std::string& name,
+std::string fault_with(const plane::Tile& tile, const std::string& path, const std::string& name,
                        const std::string& piece, const std::string& other) {
     const TileFormat& format = *find_tile_format(path);
     const std::vector<EncodedFile> files =
@@ -206,7 +210,7 @@ std::string fault_with(const Tile& tile, const std::string& path, const std::str
 }
 
 TEST(FileProof, EntitiesAndGroupsOfGmshFollowFromTheTile) {
-    const Tile tile = testing::grain_grid_tile(kSquare, 2, 2);
+    const plane::Tile tile = testing::grain_grid_tile(kSquare, 2, 2);
     const auto fault = [&](const std::string& piece, const std::string& other) {
         return fault_with(tile, "t.msh", ".msh", piece, other);
     };
@@ -223,7 +227,7 @@ TEST(FileProof, EntitiesAndGroupsOfGmshFollowFromTheTile) {
 }
 
 TEST(FileProof, SetsOfAbaqusFollowFromTheTile) {
-    const Tile tile = testing::grain_grid_tile(kSquare, 2, 2);
+    const plane::Tile tile = testing::grain_grid_tile(kSquare, 2, 2);
     const auto fault = [&](const std::string& piece, const std::string& other) {
         return fault_with(tile, "t.inp", ".inp", piece, other);
     };
@@ -239,7 +243,7 @@ TEST(FileProof, SetsOfAbaqusFollowFromTheTile) {
 }
 
 TEST(FileProof, SetsInAnotherOrderAndCardsOfAUserAreAccepted) {
-    const Tile tile = testing::grain_grid_tile(kSquare, 2, 2);
+    const plane::Tile tile = testing::grain_grid_tile(kSquare, 2, 2);
     const auto fault = [&](const std::string& piece, const std::string& other) {
         return fault_with(tile, "t.inp", ".inp", piece, other);
     };
@@ -250,7 +254,7 @@ TEST(FileProof, SetsInAnotherOrderAndCardsOfAUserAreAccepted) {
 }
 
 TEST(FileProof, ArraysOfVtkFollowFromTheTile) {
-    const Tile tile = testing::grid_tile(kSquare, 2, 2);
+    const plane::Tile tile = testing::grid_tile(kSquare, 2, 2);
     const auto fault = [&](const std::string& piece, const std::string& other) {
         return fault_with(tile, "t.vtu", ".vtu", piece, other);
     };
@@ -267,7 +271,7 @@ TEST(FileProof, ArraysOfVtkFollowFromTheTile) {
 }
 
 TEST(FileProof, TheCaseOfAMeshIsComparedUntilItsNoteIsRemoved) {
-    const Tile tile = testing::grid_tile(kSquare, 3, 2);
+    const plane::Tile tile = testing::grid_tile(kSquare, 3, 2);
     const auto fault = [&](const char* name, const std::string& piece, const std::string& other) {
         return fault_with(tile, "t.foam", name, piece, other);
     };

@@ -3,7 +3,7 @@
 #include "io/file_proof.hpp"
 #include "io/tile_formats.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/proof/generated_tile.hpp"
+#include "mesher/plane/proof/generated_tile.hpp"
 #include "tests/support/holed_tiles.hpp"
 
 namespace pcvt {
@@ -12,26 +12,26 @@ namespace {
 using ::testing::HasSubstr;
 using Files = std::vector<EncodedFile>;
 
-const std::vector<Tile>& tiles() {
-    static const std::vector<Tile> tiles = [] {
-        std::vector<Tile> made;
-        for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kGrains}) {
-            for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
+const std::vector<plane::Tile>& tiles() {
+    static const std::vector<plane::Tile> tiles = [] {
+        std::vector<plane::Tile> made;
+        for (const plane::MeshKind kind : {plane::MeshKind::kVoronoi, plane::MeshKind::kGrains}) {
+            for (const plane::Outline outline : {plane::Outline::kWhole, plane::Outline::kBox}) {
                 made.push_back(testing::holed_tile({.kind = kind, .outline = outline}));
             }
         }
-        made.push_back(testing::holed_tile({.kind = MeshKind::kGrains, .order = 2}));
-        made.push_back(testing::holed_tile({.kind = MeshKind::kDelaunay}));
+        made.push_back(testing::holed_tile({.kind = plane::MeshKind::kGrains, .order = 2}));
+        made.push_back(testing::holed_tile({.kind = plane::MeshKind::kDelaunay}));
         made.push_back(testing::holed_tile({.columns = 2}));
         return made;
     }();
     return tiles;
 }
 
-bool holds_holed(const TileFormat& format, const Tile& tile) {
+bool holds_holed(const TileFormat& format, const plane::Tile& tile) {
     if (!format.needs_tile() || !format.is_readable()) return false;
-    if (!format.holds_polygons && tile.kind == MeshKind::kVoronoi) return false;
-    const bool is_cut = tile.kind == MeshKind::kVoronoi && !tile.whole_sides.empty();
+    if (!format.holds_polygons && tile.kind == plane::MeshKind::kVoronoi) return false;
+    const bool is_cut = tile.kind == plane::MeshKind::kVoronoi && !tile.whole_sides.empty();
     return !(format.is_folder && is_cut);
 }
 
@@ -39,7 +39,7 @@ bool holds_holed(const TileFormat& format, const Tile& tile) {
 template <class Visit>
 void for_each_file(const Visit& visit) {
     for (const TileFormat& format : tile_formats()) {
-        for (const Tile& tile : tiles()) {
+        for (const plane::Tile& tile : tiles()) {
             if (!holds_holed(format, tile)) continue;
             const std::string path = "t" + std::string(format.extension);
             SCOPED_TRACE(path + " of " + mesh_kind_row(tile.kind).word + ", " +
@@ -50,13 +50,13 @@ void for_each_file(const Visit& visit) {
 }
 
 TEST(HoledFiles, EachFormatGivesTheHolesBackAndIsProved) {
-    for_each_file([](const TileFormat& format, const Tile& tile, const Files& files) {
+    for_each_file([](const TileFormat& format, const plane::Tile& tile, const Files& files) {
         const TileFile file = decode_tile(format, files, std::nullopt);
         EXPECT_EQ(file.tile.holes, tile.holes);
         EXPECT_EQ(file.tile.wall_edges, tile.wall_edges);
-        const TileProof proof = prove_file(format, files, file);
+        const plane::TileProof proof = prove_file(format, files, file);
         EXPECT_EQ(proof.wall_edges, tile.wall_edges);
-        prove_tile_files(format, files, tile, Vec2::Zero(), {});
+        prove_tile_files(format, files, tile, plane::Vec2::Zero(), {});
     });
 }
 
@@ -71,20 +71,20 @@ std::string complaint(const TileFile& file) {
 }
 
 TEST(HoledFiles, AFileThatLacksAnEdgeOfAHoleIsRefused) {
-    for_each_file([](const TileFormat& format, const Tile&, const Files& files) {
+    for_each_file([](const TileFormat& format, const plane::Tile&, const Files& files) {
         TileFile file = decode_tile(format, files, std::nullopt);
-        const WallEdge last = file.tile.wall_edges.back();
+        const plane::WallEdge last = file.tile.wall_edges.back();
         file.tile.wall_edges.pop_back();
         EXPECT_THAT(complaint(file), HasSubstr("has no reversed partner"));
         file.tile.wall_edges.push_back(last);
         EXPECT_EQ(complaint(file), "");
-        file.tile.wall_edges.front().wall = WallId::hole(1);
+        file.tile.wall_edges.front().wall = plane::WallId::hole(1);
         EXPECT_THAT(complaint(file), HasSubstr("has two names"));
     });
 }
 
 TEST(HoledFiles, EdgesOfVerticesThatDoNotExistAreRefused) {
-    for_each_file([](const TileFormat& format, const Tile& tile, Files files) {
+    for_each_file([](const TileFormat& format, const plane::Tile& tile, Files files) {
         for (EncodedFile& file : files) {
             const std::size_t at = file.bytes.find("pcvt hole hole_1 ");
             if (at == std::string::npos) continue;

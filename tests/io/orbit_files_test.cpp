@@ -3,7 +3,7 @@
 #include <array>
 
 #include "io/file_proof.hpp"
-#include "mesher/tile/build_tile.hpp"
+#include "mesher/plane/tile/build_tile.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
@@ -18,7 +18,7 @@ using testing::kSquare;
 constexpr std::array kOrbits{0, 1, 1, 0};
 
 /// The files of four sites that have these orbits.
-std::vector<EncodedFile> encoded(const std::string& path, const Tile& tile) {
+std::vector<EncodedFile> encoded(const std::string& path, const plane::Tile& tile) {
     return encode_tile(*find_tile_format(path), tile, path, {.site_orbits = kOrbits});
 }
 
@@ -50,9 +50,9 @@ TEST(OrbitFiles, OrbitsReadBackFromEveryFormatThatStatesThem) {
     for (const TileFormat& format : tile_formats()) {
         if (!format.states_orbits) continue;
         ++n_formats;
-        for (const Tile& tile :
+        for (const plane::Tile& tile :
              {testing::grid_tile(kSquare, 2, 2), testing::grain_grid_tile(kSquare, 2, 2)}) {
-            if (tile.kind == MeshKind::kVoronoi && !format.holds_polygons) continue;
+            if (tile.kind == plane::MeshKind::kVoronoi && !format.holds_polygons) continue;
             const auto files = encoded("t" + std::string(format.extension), tile);
             const TileFile file = decode_tile(format, files, std::nullopt);
             EXPECT_THAT(file.site_orbits, ElementsAreArray(kOrbits)) << format.extension;
@@ -63,7 +63,7 @@ TEST(OrbitFiles, OrbitsReadBackFromEveryFormatThatStatesThem) {
 }
 
 TEST(OrbitFiles, TrianglesStateTheOrbitsOfAllSites) {
-    const Tile triangles = testing::triangle_grid_tile(kSquare, 2, 2);
+    const plane::Tile triangles = testing::triangle_grid_tile(kSquare, 2, 2);
     for (const char* path : {"t.obj", "t.msh", "t.inp"}) {
         const auto files = encoded(path, triangles);
         const TileFile file = decode_tile(*find_tile_format(path), files, std::nullopt);
@@ -73,7 +73,7 @@ TEST(OrbitFiles, TrianglesStateTheOrbitsOfAllSites) {
 }
 
 TEST(OrbitFiles, CommentsThatFitNoSitesAreRefused) {
-    const Tile grains = testing::grain_grid_tile(kSquare, 2, 2);
+    const plane::Tile grains = testing::grain_grid_tile(kSquare, 2, 2);
     for (const char* path : {"t.obj", "t.msh", "t.inp"}) {
         const auto files = encoded(path, grains);
         const auto fault = [&](const std::string& other) {
@@ -88,7 +88,7 @@ TEST(OrbitFiles, CommentsThatFitNoSitesAreRefused) {
 }
 
 TEST(OrbitFiles, SetsAndViewsAgreeWithTheComment) {
-    const Tile grains = testing::grain_grid_tile(kSquare, 2, 2);
+    const plane::Tile grains = testing::grain_grid_tile(kSquare, 2, 2);
     const auto inp = encoded("t.inp", grains);
     EXPECT_NE(orbit_fault_with(inp, "site_orbits 0 1 1 0\n", "site_orbits 0 1 1 1\n"), "");
     EXPECT_NE(orbit_fault_with(inp, "ORBIT_1\nCELL_1,CELL_2\n", "ORBIT_1\nCELL_1,CELL_3\n"), "");
@@ -107,8 +107,8 @@ TEST(OrbitFiles, SetsAndViewsAgreeWithTheComment) {
 }
 
 TEST(OrbitFiles, CellsOfOneOrbitHaveOneArea) {
-    const PeriodicDelaunay delaunay(Sites(kSquare, uniform_points(kSquare, 4, 3)));
-    const Tile cells = build_tile(delaunay, {}).tile;
+    const plane::PeriodicDelaunay delaunay(plane::Sites(kSquare, uniform_points(kSquare, 4, 3)));
+    const plane::Tile cells = build_tile(delaunay, {}).tile;
     for (const char* path : {"t.obj", "t.vtu"}) {
         EXPECT_THAT(orbit_refusal(encoded(path, cells)),
                     HasSubstr("law of the orbits: the cells of sites "))

@@ -20,10 +20,11 @@ using testing::kOblique;
 
 constexpr int kSites = 24;
 
-bool holds_power_cells(const TileFormat& format, const Tile& tile, Outline outline) {
+bool holds_power_cells(const TileFormat& format, const plane::Tile& tile, plane::Outline outline) {
     if (!format.needs_tile() || !format.is_readable()) return false;
-    if (!format.holds_polygons && tile.kind == MeshKind::kVoronoi) return false;
-    return !format.is_folder || outline == Outline::kWhole || tile.kind != MeshKind::kVoronoi;
+    if (!format.holds_polygons && tile.kind == plane::MeshKind::kVoronoi) return false;
+    return !format.is_folder || outline == plane::Outline::kWhole ||
+           tile.kind != plane::MeshKind::kVoronoi;
 }
 
 std::vector<FileOptions> forms(const TileFormat& format) {
@@ -44,16 +45,16 @@ std::string power_refusal(const TileFormat& format, const std::vector<EncodedFil
 }
 
 /// Whether the format takes the numbers of the tile: fields of 20 characters do not take all.
-bool has_room(const TileFormat& format, const Tile& tile) {
+bool has_room(const TileFormat& format, const plane::Tile& tile) {
     const double size = tile.lattice.a().norm();
     return format.extension != ".inp" || (size > 0.1 && size < 1e5);
 }
 
 /// Expects that a file states the weights and the metric of its tile.
-void expect_same_notes(const TileFile& file, const Tile& tile) {
+void expect_same_notes(const TileFile& file, const plane::Tile& tile) {
     EXPECT_EQ(file.tile.metric, tile.metric);
     ASSERT_EQ(file.tile.site_weights.size(), tile.site_weights.size());
-    if (file.precision == Precision::kDouble) {
+    if (file.precision == plane::Precision::kDouble) {
         EXPECT_EQ(file.tile.site_weights, tile.site_weights);
     }
     for (std::size_t s = 0; s < tile.site_weights.size(); ++s) {
@@ -62,7 +63,7 @@ void expect_same_notes(const TileFile& file, const Tile& tile) {
     }
 }
 
-void expect_round_trips(const Tile& tile, Outline outline) {
+void expect_round_trips(const plane::Tile& tile, plane::Outline outline) {
     for (const TileFormat& format : tile_formats()) {
         if (!holds_power_cells(format, tile, outline) || !has_room(format, tile)) continue;
         const std::string path = "t" + std::string(format.extension);
@@ -72,7 +73,7 @@ void expect_round_trips(const Tile& tile, Outline outline) {
             const TileFile file = decode_tile(format, files, std::nullopt);
             expect_same_notes(file, tile);
             EXPECT_EQ(power_refusal(format, files), "");
-            EXPECT_NO_THROW(prove_tile_files(format, files, tile, Vec2::Zero()));
+            EXPECT_NO_THROW(prove_tile_files(format, files, tile, plane::Vec2::Zero()));
         }
     }
 }
@@ -82,12 +83,12 @@ TEST(PowerFiles, EveryFormatOfEveryMeshIsProvedBySitesWeightsAndMetricSlow) {
     for (const CellShape& shape : testing::cell_shapes()) {
         for (const auto& [name, lattice] : testing::lattices()) {
             SCOPED_TRACE(std::string(shape.name) + " on " + name);
-            const std::vector<TileOptions> kinds = testing::tile_kinds();
-            const TileOptions& options = kinds[++seed % kinds.size()];
+            const std::vector<plane::TileOptions> kinds = testing::tile_kinds();
+            const plane::TileOptions& options = kinds[++seed % kinds.size()];
             expect_round_trips(testing::power_tile(lattice, kSites, seed, shape, options),
                                options.outline);
         }
-        for (const TileOptions& options : testing::tile_kinds()) {
+        for (const plane::TileOptions& options : testing::tile_kinds()) {
             SCOPED_TRACE(shape.name);
             expect_round_trips(testing::power_tile(kOblique, kSites, ++seed, shape, options, 3),
                                options.outline);
@@ -98,11 +99,12 @@ TEST(PowerFiles, EveryFormatOfEveryMeshIsProvedBySitesWeightsAndMetricSlow) {
 TEST(PowerFiles, FewSitesTouchTheirOwnImagesSlow) {
     for (const CellShape& shape : testing::cell_shapes()) {
         for (int n = 1; n <= 8; ++n) {
-            for (const MeshKind kind :
-                 {MeshKind::kVoronoi, MeshKind::kDelaunay, MeshKind::kGrains}) {
+            for (const plane::MeshKind kind :
+                 {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay,
+                  plane::MeshKind::kGrains}) {
                 SCOPED_TRACE(std::string(shape.name) + ' ' + std::to_string(n));
                 expect_round_trips(testing::power_tile(kOblique, n, n, shape, {.kind = kind}),
-                                   Outline::kWhole);
+                                   plane::Outline::kWhole);
             }
         }
     }
@@ -119,18 +121,18 @@ std::vector<const TileFormat*> cell_formats() {
 }
 
 /// The complaint of `pcvt check` about the files of `written`.
-std::string power_refusal(const TileFormat& format, const Tile& written) {
+std::string power_refusal(const TileFormat& format, const plane::Tile& written) {
     const std::string path = "t" + std::string(format.extension);
     const std::vector<EncodedFile> files = encode_tile(format, written, path);
     return power_refusal(format, files);
 }
 
 TEST(PowerFiles, ExchangedWeightsAreRefusedInEveryFormat) {
-    const Tile tile = testing::power_tile(kOblique, kSites, 1, testing::cell_shapes()[0]);
+    const plane::Tile tile = testing::power_tile(kOblique, kSites, 1, testing::cell_shapes()[0]);
     for (const TileFormat* format : cell_formats()) {
         EXPECT_EQ(power_refusal(*format, tile), "");
         for (int s = 0; s + 1 < kSites; ++s) {
-            Tile changed = tile;
+            plane::Tile changed = tile;
             std::swap(changed.site_weights[s], changed.site_weights[s + 1]);
             EXPECT_THAT(power_refusal(*format, changed), HasSubstr("law of the sites"))
                 << format->extension << ' ' << s;
@@ -143,7 +145,7 @@ TEST(PowerFiles, AWeightThatIsOffByAHundredThousandthIsRefused) {
     int n_large = 0;
     for (const CellShape& shape :
          {CellShape{"power", "lognormal:0.7"}, testing::cell_shapes()[2]}) {
-        const Tile tile = testing::power_tile(kOblique, kSites, 2, shape);
+        const plane::Tile tile = testing::power_tile(kOblique, kSites, 2, shape);
         for (int s = 0; s < kSites; ++s) {
             // Of the weight itself, too, unless it is small compared with h^2.
             const double weight = tile.site_weights[s];
@@ -151,7 +153,7 @@ TEST(PowerFiles, AWeightThatIsOffByAHundredThousandthIsRefused) {
             const double scale = is_large ? weight : squared;
             n_large += is_large ? 1 : 0;
             for (const double step : {1e-5 * scale, -1e-5 * scale, 1e-5 * squared}) {
-                Tile changed = tile;
+                plane::Tile changed = tile;
                 changed.site_weights[s] += step;
                 EXPECT_THAT(power_refusal(*find_tile_format("t.obj"), changed),
                             HasSubstr("law of the sites"))
@@ -163,7 +165,7 @@ TEST(PowerFiles, AWeightThatIsOffByAHundredThousandthIsRefused) {
 }
 
 TEST(PowerFiles, CellsWithoutTheirWeightsAreRefused) {
-    Tile tile = testing::power_tile(kOblique, kSites, 3, testing::cell_shapes()[0]);
+    plane::Tile tile = testing::power_tile(kOblique, kSites, 3, testing::cell_shapes()[0]);
     tile.site_weights.clear();
     for (const TileFormat* format : cell_formats()) {
         EXPECT_THAT(power_refusal(*format, tile), HasSubstr("law of the sites"))
@@ -173,13 +175,14 @@ TEST(PowerFiles, CellsWithoutTheirWeightsAreRefused) {
 
 TEST(PowerFiles, AnotherMetricIsRefused) {
     for (const CellShape& shape : {testing::cell_shapes()[1], testing::cell_shapes()[2]}) {
-        const Tile tile = testing::power_tile(kOblique, kSites, 4, shape);
+        const plane::Tile tile = testing::power_tile(kOblique, kSites, 4, shape);
         const double ratio = tile.metric.ratio();
         const double degrees = tile.metric.degrees();
-        for (const Metric& metric :
-             {Metric(), Metric(ratio, degrees + 1e-3), Metric(ratio, degrees - 90),
-              Metric(ratio * 1.00001, degrees), Metric(1 / ratio, degrees)}) {
-            Tile changed = tile;
+        for (const plane::Metric& metric :
+             {plane::Metric(), plane::Metric(ratio, degrees + 1e-3),
+              plane::Metric(ratio, degrees - 90), plane::Metric(ratio * 1.00001, degrees),
+              plane::Metric(1 / ratio, degrees)}) {
+            plane::Tile changed = tile;
             changed.metric = metric;
             for (const char* path : {"t.obj", "t.ply", "t.om", "t.vtu", "t.foam"}) {
                 EXPECT_THAT(power_refusal(*find_tile_format(path), changed),
@@ -187,15 +190,16 @@ TEST(PowerFiles, AnotherMetricIsRefused) {
                     << path << ' ' << metric.ratio() << ' ' << metric.degrees();
             }
         }
-        Tile turned = tile;
-        turned.metric = Metric(ratio, degrees + 180);
+        plane::Tile turned = tile;
+        turned.metric = plane::Metric(ratio, degrees + 180);
         EXPECT_EQ(power_refusal(*find_tile_format("t.obj"), turned), "");
     }
 }
 
 /// The complaint about a text file with `piece` replaced.
-std::string power_fault_with(const Tile& tile, const std::string& path, const std::string& name,
-                             const std::string& piece, const std::string& other) {
+std::string power_fault_with(const plane::Tile& tile, const std::string& path,
+                             const std::string& name, const std::string& piece,
+                             const std::string& other) {
     const TileFormat& format = *find_tile_format(path);
     const std::vector<EncodedFile> files =
         testing::exchanged(encode_tile(format, tile, path), name, piece, other);
@@ -203,7 +207,7 @@ std::string power_fault_with(const Tile& tile, const std::string& path, const st
 }
 
 TEST(PowerFiles, NotesThatAreMalformedAreRefusedInOneLine) {
-    const Tile tile = testing::power_tile(kOblique, 5, 5, testing::cell_shapes()[2]);
+    const plane::Tile tile = testing::power_tile(kOblique, 5, 5, testing::cell_shapes()[2]);
     const auto fault = [&](const std::string& piece, const std::string& other) {
         return power_fault_with(tile, "t.obj", ".obj", piece, other);
     };
@@ -225,7 +229,7 @@ TEST(PowerFiles, NotesThatAreMalformedAreRefusedInOneLine) {
 }
 
 TEST(PowerFiles, ACaseOfOpenFoamStatesItsSites) {
-    const Tile tile = testing::power_tile(kOblique, 9, 5, testing::cell_shapes()[0]);
+    const plane::Tile tile = testing::power_tile(kOblique, 9, 5, testing::cell_shapes()[0]);
     const auto fault = [&](const std::string& piece, const std::string& other) {
         return power_fault_with(tile, "t.foam", "polyMesh/boundary", piece, other);
     };

@@ -5,18 +5,19 @@
 #include <algorithm>
 #include <iterator>
 
-#include "mesher/mesh/outline.hpp"
-#include "mesher/mesh/voronoi.hpp"
-#include "mesher/tile/tile_builder.hpp"
+#include "mesher/plane/mesh/outline.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
+#include "mesher/plane/tile/tile_builder.hpp"
 
 namespace pcvt {
 namespace {
 
-Tile example(const TileFormat& format) {
-    const Lattice lattice({1, 0}, {0.37, 0.81});
-    const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 7, 5)));
-    const PeriodicMesh mesh = format.holds_polygons ? cell_mesh(delaunay) : triangle_mesh(delaunay);
-    return make_tile(mesh, whole_outline(mesh, Vec2(0, 0)));
+plane::Tile example(const TileFormat& format) {
+    const plane::Lattice lattice({1, 0}, {0.37, 0.81});
+    const plane::PeriodicDelaunay delaunay(plane::Sites(lattice, uniform_points(lattice, 7, 5)));
+    const plane::PeriodicMesh mesh =
+        format.holds_polygons ? cell_mesh(delaunay) : triangle_mesh(delaunay);
+    return make_tile(mesh, whole_outline(mesh, plane::Vec2(0, 0)));
 }
 
 std::vector<TileFormat> formats_of_tiles() {
@@ -41,7 +42,7 @@ TEST(TileFormats, ExtensionsPickTheFormatInAnyCase) {
 
 TEST(TileFormats, EveryFormatWritesThePathsThatItPromises) {
     for (const TileFormat& format : formats_of_tiles()) {
-        const Tile tile = example(format);
+        const plane::Tile tile = example(format);
         const std::string path = "dir/tile" + std::string(format.extension);
         std::vector<std::string> written;
         for (const EncodedFile& file : encode_tile(format, tile, path)) {
@@ -56,7 +57,7 @@ TEST(TileFormats, EveryFormatWritesThePathsThatItPromises) {
 
 TEST(TileFormats, EveryFormatReadsItsOwnFilesButPictures) {
     for (const TileFormat& format : formats_of_tiles()) {
-        const Tile tile = example(format);
+        const plane::Tile tile = example(format);
         const auto is_picture = {".svg", ".png", ".dxf", ".html"};
         ASSERT_EQ(!format.is_readable(), std::find(is_picture.begin(), is_picture.end(),
                                                    format.extension) != is_picture.end());
@@ -64,7 +65,7 @@ TEST(TileFormats, EveryFormatReadsItsOwnFilesButPictures) {
         const TileFile file = decode_tile(format, encode_tile(format, tile, "t"), {});
         EXPECT_NE(file.has_vertex_pairs, format.is_folder) << format.extension;
         EXPECT_TRUE(file.has_vertex_pairs || file.has_edge_pairs) << format.extension;
-        EXPECT_EQ(file.tile.lattice.b(), Vec2(0.37, 0.81)) << format.extension;
+        EXPECT_EQ(file.tile.lattice.b(), plane::Vec2(0.37, 0.81)) << format.extension;
     }
 }
 
@@ -75,8 +76,9 @@ TEST(TileFormats, SitesAndGridsOfTheTorusAreRowsAsWell) {
     const TileFormat& grid = *find_tile_format("g.Nc");
     EXPECT_TRUE(std::holds_alternative<TorusWriter*>(grid.write));
     EXPECT_TRUE(grid.reads_grid());
-    const Lattice oblique({1, 0}, {0.37, 0.81});
-    EXPECT_THROW(grid.check({oblique, MeshKind::kVoronoi, Outline::kWhole, 0}), InvalidInput);
+    const plane::Lattice oblique({1, 0}, {0.37, 0.81});
+    EXPECT_THROW(grid.check({oblique, plane::MeshKind::kVoronoi, plane::Outline::kWhole, 0}),
+                 InvalidInput);
 }
 
 TEST(TileFormats, TheSameTileGivesTheSameBytes) {

@@ -11,7 +11,7 @@ import subprocess
 import sys
 import unittest
 
-KERNELS = ("pcvt::TetrahedronBlock::compute", "pcvt::TriangleBlock::compute")
+KERNELS = ("pcvt::space::TetrahedronBlock::compute", "pcvt::plane::TriangleBlock::compute")
 VERSIONS = ("default", "arch_x86_64_v3", "arch_x86_64_v4")
 
 

@@ -2,11 +2,11 @@
 
 #include "io/file_proof.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/cvt/cvt.hpp"
-#include "mesher/materials/orientations.hpp"
-#include "mesher/mesh/voronoi.hpp"
-#include "mesher/symmetry/symmetric_sites.hpp"
-#include "mesher/voxels/voxel_image.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
+#include "mesher/plane/materials/orientations.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
+#include "mesher/plane/symmetry/symmetric_sites.hpp"
+#include "mesher/plane/voxels/voxel_image.hpp"
 #include "tests/support/holed_tiles.hpp"
 #include "tests/support/power_tiles.hpp"
 #include "tests/support/walled_tiles.hpp"
@@ -18,77 +18,86 @@ constexpr int kSites = 7;
 
 struct Shape {
     const char* name;
-    TileOptions options;
+    plane::TileOptions options;
 };
 
 std::vector<Shape> shapes() {
-    return {{"voronoi whole", {.kind = MeshKind::kVoronoi}},
-            {"voronoi box", {.kind = MeshKind::kVoronoi, .outline = Outline::kBox}},
-            {"voronoi whole 2x1", {.kind = MeshKind::kVoronoi, .columns = 2}},
-            {"voronoi short-edges", {.kind = MeshKind::kVoronoi, .short_edges = 0.2}},
-            {"delaunay", {.kind = MeshKind::kDelaunay}},
-            {"delaunay 1x2", {.kind = MeshKind::kDelaunay, .rows = 2}},
-            {"grains whole", {.kind = MeshKind::kGrains, .grain_per_edge = 1}},
-            {"grains box", {.kind = MeshKind::kGrains, .outline = Outline::kBox}}};
+    return {{"voronoi whole", {.kind = plane::MeshKind::kVoronoi}},
+            {"voronoi box", {.kind = plane::MeshKind::kVoronoi, .outline = plane::Outline::kBox}},
+            {"voronoi whole 2x1", {.kind = plane::MeshKind::kVoronoi, .columns = 2}},
+            {"voronoi short-edges", {.kind = plane::MeshKind::kVoronoi, .short_edges = 0.2}},
+            {"delaunay", {.kind = plane::MeshKind::kDelaunay}},
+            {"delaunay 1x2", {.kind = plane::MeshKind::kDelaunay, .rows = 2}},
+            {"grains whole", {.kind = plane::MeshKind::kGrains, .grain_per_edge = 1}},
+            {"grains box", {.kind = plane::MeshKind::kGrains, .outline = plane::Outline::kBox}}};
 }
 
 std::vector<Shape> power_shapes() {
-    return {{"voronoi power", {.kind = MeshKind::kVoronoi}},
-            {"voronoi power box", {.kind = MeshKind::kVoronoi, .outline = Outline::kBox}},
-            {"voronoi power 2x1", {.kind = MeshKind::kVoronoi, .columns = 2}},
-            {"delaunay power", {.kind = MeshKind::kDelaunay}},
-            {"grains power", {.kind = MeshKind::kGrains, .grain_per_edge = 1}}};
+    return {
+        {"voronoi power", {.kind = plane::MeshKind::kVoronoi}},
+        {"voronoi power box", {.kind = plane::MeshKind::kVoronoi, .outline = plane::Outline::kBox}},
+        {"voronoi power 2x1", {.kind = plane::MeshKind::kVoronoi, .columns = 2}},
+        {"delaunay power", {.kind = plane::MeshKind::kDelaunay}},
+        {"grains power", {.kind = plane::MeshKind::kGrains, .grain_per_edge = 1}}};
 }
 
 std::vector<Shape> symmetric_shapes() {
-    return {{"voronoi symmetric", {.kind = MeshKind::kVoronoi}},
-            {"voronoi symmetric box", {.kind = MeshKind::kVoronoi, .outline = Outline::kBox}},
-            {"delaunay symmetric", {.kind = MeshKind::kDelaunay}},
-            {"grains symmetric", {.kind = MeshKind::kGrains, .grain_per_edge = 1}}};
+    return {{"voronoi symmetric", {.kind = plane::MeshKind::kVoronoi}},
+            {"voronoi symmetric box",
+             {.kind = plane::MeshKind::kVoronoi, .outline = plane::Outline::kBox}},
+            {"delaunay symmetric", {.kind = plane::MeshKind::kDelaunay}},
+            {"grains symmetric", {.kind = plane::MeshKind::kGrains, .grain_per_edge = 1}}};
 }
 
 /// A tile between walls.
 struct WalledShape {
     Shape shape;
-    Walls walls;
-    WallCells cells;
+    plane::Walls walls;
+    plane::WallCells cells;
     int n_sites;
 };
 
 std::vector<WalledShape> walled_shapes() {
-    const TileOptions cells{.kind = MeshKind::kVoronoi};
-    const TileOptions box{.kind = MeshKind::kVoronoi, .outline = Outline::kBox};
-    const TileOptions triangles{.kind = MeshKind::kDelaunay};
-    const TileOptions grains{.kind = MeshKind::kGrains, .grain_per_edge = 1};
-    return {{{"voronoi walled", cells}, Walls::kXY, WallCells::kWhole, kSites},
-            {{"voronoi walled box", box}, Walls::kX, WallCells::kWhole, kSites},
-            {{"delaunay walled half", triangles}, Walls::kY, WallCells::kHalf, 2 * kSites},
-            {{"grains walled", grains}, Walls::kY, WallCells::kWhole, kSites}};
+    const plane::TileOptions cells{.kind = plane::MeshKind::kVoronoi};
+    const plane::TileOptions box{.kind = plane::MeshKind::kVoronoi,
+                                 .outline = plane::Outline::kBox};
+    const plane::TileOptions triangles{.kind = plane::MeshKind::kDelaunay};
+    const plane::TileOptions grains{.kind = plane::MeshKind::kGrains, .grain_per_edge = 1};
+    return {{{"voronoi walled", cells}, plane::Walls::kXY, plane::WallCells::kWhole, kSites},
+            {{"voronoi walled box", box}, plane::Walls::kX, plane::WallCells::kWhole, kSites},
+            {{"delaunay walled half", triangles},
+             plane::Walls::kY,
+             plane::WallCells::kHalf,
+             2 * kSites},
+            {{"grains walled", grains}, plane::Walls::kY, plane::WallCells::kWhole, kSites}};
 }
 
 /// Cells and grains with holes.
 std::vector<Shape> holed_shapes() {
-    return {{"voronoi holes", {}},
-            {"grains holes box",
-             {.kind = MeshKind::kGrains, .outline = Outline::kBox, .grain_per_edge = 1}}};
+    return {
+        {"voronoi holes", {}},
+        {"grains holes box",
+         {.kind = plane::MeshKind::kGrains, .outline = plane::Outline::kBox, .grain_per_edge = 1}}};
 }
 
 /// A symmetric start of kSites sites: three pairs and a centre of rotation.
-SymmetricSites symmetric_sites(const Lattice& lattice) {
-    const PlaneGroup group(PlaneGroupName::kP2, lattice);
+plane::SymmetricSites symmetric_sites(const plane::Lattice& lattice) {
+    const plane::PlaneGroup group(plane::PlaneGroupName::kP2, lattice);
     return random_sites(
         group, {.n_general = 3, .on_mirrors = {}, .at_centres = {true, false, false, false}}, 5);
 }
 
-const CellMaterials& materials() {
-    static const CellMaterials all{.phase_names = {"a", "b"},
-                                   .site_phase = {0, 1, 1, 0, 1, 1, 0},
-                                   .site_orientation = random_orientations(kSites, 1)};
+const plane::CellMaterials& materials() {
+    static const plane::CellMaterials all{
+        .phase_names = {"a", "b"},
+        .site_phase = {0, 1, 1, 0, 1, 1, 0},
+        .site_orientation = plane::random_orientations(kSites, 1)};
     return all;
 }
 
 /// The forms in which a format writes one tile of kSites sites.
-std::vector<std::pair<const char*, FileOptions>> forms(const TileFormat& format, MeshKind kind) {
+std::vector<std::pair<const char*, FileOptions>> forms(const TileFormat& format,
+                                                       plane::MeshKind kind) {
     std::vector<std::pair<const char*, FileOptions>> forms{{"", {}}};
     if (format.takes_gltf_nodes) forms.push_back({" one-node", {.gltf_nodes = GltfNodes::kOne}});
     if (format.takes_single_precision) forms.push_back({" float32", {.single_precision = true}});
@@ -99,8 +108,8 @@ std::vector<std::pair<const char*, FileOptions>> forms(const TileFormat& format,
     return forms;
 }
 
-bool holds(const TileFormat& format, const Tile& tile, Outline outline) {
-    if (!format.holds_polygons && tile.kind == MeshKind::kVoronoi) return false;
+bool holds(const TileFormat& format, const plane::Tile& tile, plane::Outline outline) {
+    if (!format.holds_polygons && tile.kind == plane::MeshKind::kVoronoi) return false;
     if (format.check == nullptr) return true;
     try {
         format.check({tile.lattice, tile.kind, outline, 0});
@@ -110,14 +119,14 @@ bool holds(const TileFormat& format, const Tile& tile, Outline outline) {
     }
 }
 
-void add_tile(const TileFormat& format, const Tile& tile, const Shape& shape,
+void add_tile(const TileFormat& format, const plane::Tile& tile, const Shape& shape,
               const FileOptions& options, std::vector<BaseFile>& bases) {
     if (!holds(format, tile, shape.options.outline)) return;
     const std::string path = "tile" + std::string(format.extension);
     bases.push_back({shape.name, tile.kind, encode_tile(format, tile, path, options)});
 }
 
-void add_tiles(const TileFormat& format, Tile tile, const Shape& shape,
+void add_tiles(const TileFormat& format, plane::Tile tile, const Shape& shape,
                std::vector<BaseFile>& bases) {
     if (!holds(format, tile, shape.options.outline)) return;
     const std::string path = "tile" + std::string(format.extension);
@@ -125,45 +134,47 @@ void add_tiles(const TileFormat& format, Tile tile, const Shape& shape,
         bases.push_back(
             {std::string(shape.name) + form, tile.kind, encode_tile(format, tile, path, options)});
     }
-    if (format.highest_order < 2 || tile.kind != MeshKind::kGrains) return;
+    if (format.highest_order < 2 || tile.kind != plane::MeshKind::kGrains) return;
     tile.order = 2;
     bases.push_back(
         {std::string(shape.name) + " order 2", tile.kind, encode_tile(format, tile, path, {})});
 }
 
 std::vector<BaseFile> grid_files(const TileFormat& format) {
-    const Lattice lattice = Lattice::rectangle(1, 0.8);
-    const CvtResult result = compute_cvt(lattice, uniform_points(lattice, 12, 1), {});
-    const PeriodicMesh cells = cell_mesh(result.delaunay);
+    const plane::Lattice lattice = plane::Lattice::rectangle(1, 0.8);
+    const plane::CvtResult result = compute_cvt(lattice, uniform_points(lattice, 12, 1), {});
+    const plane::PeriodicMesh cells = cell_mesh(result.delaunay);
     const Torus torus{.cells = cells,
-                      .origin = Vec2::Zero(),
+                      .origin = plane::Vec2::Zero(),
                       .site_densities = {},
                       .coriolis = {{1e-4, 0.3}},
                       .history = "pcvt 0.0.0: mesh; seed 0"};
-    return {{"grid", MeshKind::kVoronoi, std::get<TorusWriter*>(format.write)(torus, "tile.nc")}};
+    return {{"grid", plane::MeshKind::kVoronoi,
+             std::get<TorusWriter*>(format.write)(torus, "tile.nc")}};
 }
 
 /// Voxels of plain, power and elongated cells; the last lattice is a rectangle of two domains.
 std::vector<BaseFile> voxel_files(const TileFormat& format) {
-    const Lattice skew({1.1, 0}, {0.55, 0.9});
+    const plane::Lattice skew({1.1, 0}, {0.55, 0.9});
     std::vector<BaseFile> bases;
-    const auto add = [&](const char* name, const CellShape& shape, const Lattice& lattice,
-                         const Lattice& whole, VoxelCounts counts, const CellMaterials& of_cells) {
-        const PeriodicDelaunay delaunay = power_cells(lattice, kSites, 5, shape).delaunay;
-        VoxelCells cells{.lattice = lattice,
-                         .sites = Points(2, kSites),
-                         .weights = delaunay.weights(),
-                         .metric = shape.metric};
+    const auto add = [&](const char* name, const CellShape& shape, const plane::Lattice& lattice,
+                         const plane::Lattice& whole, plane::VoxelCounts counts,
+                         const plane::CellMaterials& of_cells) {
+        const plane::PeriodicDelaunay delaunay = power_cells(lattice, kSites, 5, shape).delaunay;
+        plane::VoxelCells cells{.lattice = lattice,
+                                .sites = plane::Points(2, kSites),
+                                .weights = delaunay.weights(),
+                                .metric = shape.metric};
         for (SiteId s = 0; s < kSites; ++s) {
             cells.sites.col(s) = shape.metric.from_round(delaunay.sites().position(s));
         }
-        const VoxelGrid grid = voxel_grid(whole, {0.123, -7.3}, counts);
-        const VoxelImage image = voxel_image(delaunay, shape.metric, grid, 1);
+        const plane::VoxelGrid grid = voxel_grid(whole, {0.123, -7.3}, counts);
+        const plane::VoxelImage image = voxel_image(delaunay, shape.metric, grid, 1);
         bases.push_back(
-            {name, MeshKind::kVoronoi,
+            {name, plane::MeshKind::kVoronoi,
              std::get<VoxelWriter*>(format.write)(image, cells, of_cells, {}, "tile.vti")});
     };
-    const Lattice box = Lattice::rectangle(2.3, 0.7);
+    const plane::Lattice box = plane::Lattice::rectangle(2.3, 0.7);
     const std::vector<CellShape> shapes = cell_shapes();
     add("plain", {"plain", "equal"}, box, box, {60, 20}, {});
     add("power", shapes[0], box, box, {60, 20}, materials());
@@ -178,8 +189,8 @@ std::vector<BaseFile> base_files(std::string_view extension) {
     const TileFormat& format = *find_tile_format("tile" + std::string(extension));
     if (format.needs_torus()) return grid_files(format);
     if (format.reads_voxels()) return voxel_files(format);
-    const Lattice lattice({1, 0}, {0.37, 0.81});
-    const CvtResult result = compute_cvt(lattice, uniform_points(lattice, kSites, 5), {});
+    const plane::Lattice lattice({1, 0}, {0.37, 0.81});
+    const plane::CvtResult result = compute_cvt(lattice, uniform_points(lattice, kSites, 5), {});
     std::vector<BaseFile> bases;
     for (const Shape& shape : shapes()) {
         add_tiles(format, build_tile(result.delaunay, shape.options).tile, shape, bases);
@@ -198,13 +209,13 @@ std::vector<BaseFile> base_files(std::string_view extension) {
         add_tile(format, tile_with_a_hole(shape.options), shape, {}, bases);
     }
     if (!format.states_orbits) return bases;
-    const SymmetricSites start = symmetric_sites(lattice);
+    const plane::SymmetricSites start = symmetric_sites(lattice);
     // At a minimum, cells of different orbits may have one area.
-    CvtOptions few_steps;
+    plane::CvtOptions few_steps;
     few_steps.max_iterations = 2;
-    const PeriodicDelaunay symmetric = compute_cvt(start, few_steps).delaunay;
+    const plane::PeriodicDelaunay symmetric = compute_cvt(start, few_steps).delaunay;
     for (const Shape& shape : symmetric_shapes()) {
-        const Tile tile = build_tile(symmetric, shape.options).tile;
+        const plane::Tile tile = build_tile(symmetric, shape.options).tile;
         add_tile(format, tile, shape, {.site_orbits = start.orbit}, bases);
     }
     return bases;

@@ -12,7 +12,7 @@ namespace pcvt::testing {
 struct BaseFile {
     /// "voronoi box 2x1".
     std::string name;
-    MeshKind kind;
+    plane::MeshKind kind;
     Files files;
 };
 

@@ -10,9 +10,9 @@ namespace pcvt::testing {
 namespace {
 
 std::vector<SpaceCase> cases() {
-    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
-    const SpaceLattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
-    const SpaceLattice left_handed({1, 0, 0}, {0, 0, 1.1}, {0.3, 0.8, 0});
+    const space::Lattice cube = space::Lattice::box(1, 1, 1);
+    const space::Lattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
+    const space::Lattice left_handed({1, 0, 0}, {0, 0, 1.1}, {0.3, 0.8, 0});
     return {{"one", oblique, uniform_points(oblique, 1, 2)},
             {"octahedra", cube, lattice_points(2)},
             {"left-handed", left_handed, uniform_points(left_handed, 3, 1)},
@@ -29,7 +29,7 @@ void add_space_tile(const SpaceFormat& format, const SpaceCase& c, const std::st
         if (format.shows_boundary(options) && !closes) continue;
         const bool has_forms = format.surfaces == FormatSurfaces::kChosen;
         bases.push_back({(has_forms ? std::string(row.word) + " " : "") + c.name,
-                         MeshKind::kVoronoi, format.encode(tile, options, path)});
+                         plane::MeshKind::kVoronoi, format.encode(tile, options, path)});
         if (!has_forms) break;
     }
 }
@@ -38,17 +38,18 @@ void add_without_short_edges(const SpaceFormat& format, const SpaceCase& c, cons
                              std::vector<BaseFile>& bases) {
     if (!format.takes_short_edges({}) || format.encode == nullptr || format.is_picture()) return;
     bases.push_back(
-        {"short " + c.name, MeshKind::kVoronoi, format.encode(tile_of(c, 0.05), {}, path)});
+        {"short " + c.name, plane::MeshKind::kVoronoi, format.encode(tile_of(c, 0.05), {}, path)});
 }
 
 void add_tetrahedra(const SpaceFormat& format, const SpaceCase& c, const std::string& path,
                     std::vector<BaseFile>& bases) {
-    const SpaceDelaunay delaunay = space_delaunay(SpaceSites(c.lattice, c.points));
-    const TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
+    const space::PeriodicDelaunay delaunay =
+        space::periodic_delaunay(space::Sites(c.lattice, c.points));
+    const space::TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
     // Some tetrahedra of exact lattices are flat.
     if (!flat_tetrahedra(mesh, delaunay.sites.n_sites()).empty()) return;
     bases.push_back(
-        {"tetrahedra " + c.name, MeshKind::kDelaunay, format.encode_tetrahedra(mesh, path)});
+        {"tetrahedra " + c.name, plane::MeshKind::kDelaunay, format.encode_tetrahedra(mesh, path)});
 }
 
 void prove(SpaceFileKind kind, const Files& files) {

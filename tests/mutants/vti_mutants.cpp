@@ -42,7 +42,7 @@ std::vector<Field> voxel_fields(const Files& files) {
     for (std::size_t k = 0; k < file.image.site.size(); ++k) {
         fields.push_back({"voxel", std::to_string(file.image.site[k]),
                           [&files, file, k](const std::string& value) {
-                              VoxelImage image = file.image;
+                              plane::VoxelImage image = file.image;
                               image.site[k] = static_cast<SiteId>(std::stoll(value));
                               const auto written =
                                   encode_vti(image, file.cells.value(), {}, {}, files[0].path);

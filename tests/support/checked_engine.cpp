@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesher/delaunay/periodic_delaunay.hpp"
+#include "mesher/plane/delaunay/periodic_delaunay.hpp"
 #include "tests/support/engine_twin.hpp"
 
 namespace pcvt::testing {
@@ -15,7 +15,7 @@ constexpr int kFewSites = 12;
 
 /// The largest distance between corresponding coordinates, in lattice coordinates and modulo
 /// periods.
-double distance_modulo_periods(const Points& p, const Points& q) {
+double distance_modulo_periods(const plane::Points& p, const plane::Points& q) {
     const Eigen::ArrayXXd d = (p - q).array();
     return (d - d.round()).abs().maxCoeff();
 }
@@ -33,7 +33,7 @@ EngineTally& EngineTally::operator+=(const EngineTally& other) {
     return *this;
 }
 
-CheckedEngine::CheckedEngine(const Sites& sites)
+CheckedEngine::CheckedEngine(const plane::Sites& sites)
     : original_(sites), delaunay_(sites), pass_(delaunay_, workers_) {
     if (!evaluate()) require("the first evaluation failed");
     compare();
@@ -44,27 +44,27 @@ void CheckedEngine::require(const std::string& fault) {
 }
 
 bool CheckedEngine::evaluate() {
-    Suspects all;
+    plane::Suspects all;
     all.triangles.resize(static_cast<std::size_t>(delaunay_.triangulation().n_triangles()));
     std::iota(all.triangles.begin(), all.triangles.end(), 0);
     const bool has_inverted = !delaunay_.inverted(all).empty();
 
-    const PredicateCounts asked = predicate_counts();
-    const DelaunayCounts counts = delaunay_.counts();
+    const plane::PredicateCounts asked = plane::predicate_counts();
+    const plane::DelaunayCounts counts = delaunay_.counts();
     const bool defined = pass_.evaluate(energy_);
     const int n_builds = delaunay_.counts().n_rebuilds - counts.n_rebuilds;
     tally_.flips += delaunay_.counts().n_flips - counts.n_flips;
     tally_.rebuilds += n_builds;
     tally_.local_repairs += defined && has_inverted && n_builds == 0;
-    tally_.predicates += predicate_counts().asked - asked.asked;
-    tally_.exact += predicate_counts().exact - asked.exact;
+    tally_.predicates += plane::predicate_counts().asked - asked.asked;
+    tally_.exact += plane::predicate_counts().exact - asked.exact;
     if (n_builds > kMostBuildsPerMove) require(std::to_string(n_builds) + " builds for one move");
     return defined;
 }
 
 void CheckedEngine::compare() {
     if (!fault_.empty()) return;
-    const Sites sites = sites_of(delaunay_, original_);
+    const plane::Sites sites = sites_of(delaunay_, original_);
     require(broken_law(delaunay_, sites));
     if (!fault_.empty()) return;
     require(difference_from_mirrors(delaunay_, sites));
@@ -72,22 +72,22 @@ void CheckedEngine::compare() {
     if (sites.n_sites() <= kFewSites) require(difference_from_pieces(delaunay_, energy_, sites));
 }
 
-void CheckedEngine::require_arrived(const Points& from, const Eigen::VectorXf& direction,
+void CheckedEngine::require_arrived(const plane::Points& from, const Eigen::VectorXf& direction,
                                     double t) {
-    const ReducedFrame& frame = delaunay_.frame();
-    Points expected = from;
+    const plane::ReducedFrame& frame = delaunay_.frame();
+    plane::Points expected = from;
     double longest = 1;
     for (SiteId s = 0; s < delaunay_.n_sites(); ++s) {
-        const Vec2 way = t * direction.segment<2>(2 * s).cast<double>();
+        const plane::Vec2 way = t * direction.segment<2>(2 * s).cast<double>();
         const double v = way.y() / frame.by;
-        const Vec2 d((way.x() - frame.bx * v) / frame.ax, v);
+        const plane::Vec2 d((way.x() - frame.bx * v) / frame.ax, v);
         expected.col(s) += d;
         longest = std::max(longest, d.cwiseAbs().maxCoeff());
     }
     // Beyond 2^51 periods the position is unknown.
     const double distance = distance_modulo_periods(delaunay_.coordinates(), expected);
     if (!(distance <= 4e-15 * longest)) require("a site is not at its target");
-    const Points& u = delaunay_.coordinates();
+    const plane::Points& u = delaunay_.coordinates();
     if (!(u.minCoeff() >= -1.5 && u.maxCoeff() < 2.5)) require("a coordinate is out of range");
 }
 
@@ -122,11 +122,11 @@ void CheckedEngine::step_back() {
 }
 
 void CheckedEngine::release() {
-    const Sites before = sites_of(delaunay_, original_);
+    const plane::Sites before = sites_of(delaunay_, original_);
     auto [sites, triangulation] = delaunay_.release();
     if (sites.coordinates() != before.coordinates())
         require("released sites differ from the moved");
-    const PeriodicDelaunay certified(std::move(sites), std::move(triangulation));
+    const plane::PeriodicDelaunay certified(std::move(sites), std::move(triangulation));
 }
 
 }  // namespace pcvt::testing

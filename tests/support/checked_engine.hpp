@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "mesher/energy/energy.hpp"
+#include "mesher/plane/energy/energy.hpp"
 
 namespace pcvt::testing {
 
@@ -26,10 +26,10 @@ struct EngineTally {
 /// every operation.
 class CheckedEngine {
    public:
-    explicit CheckedEngine(const Sites& sites);
+    explicit CheckedEngine(const plane::Sites& sites);
 
-    const MovingDelaunay& delaunay() const { return delaunay_; }
-    const Energy& energy() const { return energy_; }
+    const plane::MovingDelaunay& delaunay() const { return delaunay_; }
+    const plane::Energy& energy() const { return energy_; }
     const EngineTally& tally() const { return tally_; }
     /// A description of the first difference from the references; it does not change afterwards.
     const std::string& fault() const { return fault_; }
@@ -47,16 +47,16 @@ class CheckedEngine {
    private:
     void require(const std::string& fault);
     bool evaluate();
-    void require_arrived(const Points& from, const Eigen::VectorXf& direction, double t);
+    void require_arrived(const plane::Points& from, const Eigen::VectorXf& direction, double t);
     void compare();
 
-    Sites original_;
+    plane::Sites original_;
     Workers workers_{1};
-    MovingDelaunay delaunay_;
-    EnergyPass pass_;
-    Energy energy_;
+    plane::MovingDelaunay delaunay_;
+    plane::EnergyPass pass_;
+    plane::Energy energy_;
     /// The positions where the sites settled last, and their move from there.
-    Points home_;
+    plane::Points home_;
     Eigen::VectorXf direction_;
     EngineTally tally_;
     std::string fault_;

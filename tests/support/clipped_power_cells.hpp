@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "mesher/lattice/polygon.hpp"
-#include "mesher/lattice/sites.hpp"
+#include "mesher/plane/geometry/polygon.hpp"
+#include "mesher/plane/geometry/sites.hpp"
 
 namespace pcvt::testing {
 
@@ -12,14 +12,15 @@ namespace pcvt::testing {
 /// every site; empty for a hidden site.
 ///
 /// @param weights  length^2.
-std::vector<Polygon> clipped_power_cells(const Sites& sites, const Eigen::VectorXd& weights);
+std::vector<plane::Polygon> clipped_power_cells(const plane::Sites& sites,
+                                                const Eigen::VectorXd& weights);
 
 /// Integrals over a polygon around the origin: 1, p and |p|^2.
 struct PolygonMoments {
     double area = 0;
-    Vec2 first = Vec2::Zero();
+    plane::Vec2 first = plane::Vec2::Zero();
     double second = 0;
 };
-PolygonMoments polygon_moments(const Polygon& polygon);
+PolygonMoments polygon_moments(const plane::Polygon& polygon);
 
 }  // namespace pcvt::testing

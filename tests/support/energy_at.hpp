@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/energy/energy.hpp"
+#include "mesher/plane/energy/energy.hpp"
 
 namespace pcvt::testing {
 
@@ -8,21 +8,21 @@ namespace pcvt::testing {
 struct PlaneEnergy {
     double value = 0;
     /// 2 x n.
-    Points gradient;
+    plane::Points gradient;
     Eigen::VectorXd mass;
 };
 
 /// Converts the result of a pass to the lattice and the order of the caller's sites.
-inline PlaneEnergy in_plane(const Energy& energy, const MovingDelaunay& delaunay,
-                            const Lattice& lattice) {
+inline PlaneEnergy in_plane(const plane::Energy& energy, const plane::MovingDelaunay& delaunay,
+                            const plane::Lattice& lattice) {
     const int n = delaunay.n_sites();
     const double unit = delaunay.unit();
-    const Vec2 x = reduce(lattice).reduced.a().stableNormalized();
-    const Vec2 y(-x.y(), x.x());
-    PlaneEnergy told{energy.value * std::pow(unit, 4), Points(2, n), Eigen::VectorXd(n)};
+    const plane::Vec2 x = reduce(lattice).reduced.a().stableNormalized();
+    const plane::Vec2 y(-x.y(), x.x());
+    PlaneEnergy told{energy.value * std::pow(unit, 4), plane::Points(2, n), Eigen::VectorXd(n)};
     for (SiteId s = 0; s < n; ++s) {
         const SiteId id = delaunay.original_id(s);
-        const Vec2 g = energy.gradient.segment<2>(2 * s) * std::pow(unit, 3);
+        const plane::Vec2 g = energy.gradient.segment<2>(2 * s) * std::pow(unit, 3);
         told.gradient.col(id) = g.x() * x + g.y() * y;
         told.mass[id] = energy.mass[s] * unit * unit;
     }
@@ -30,15 +30,15 @@ inline PlaneEnergy in_plane(const Energy& energy, const MovingDelaunay& delaunay
 }
 
 /// Computes the energy by one pass over a new triangulation.
-inline PlaneEnergy energy_at(const Sites& sites, int n_threads = 1) {
-    MovingDelaunay delaunay(sites);
+inline PlaneEnergy energy_at(const plane::Sites& sites, int n_threads = 1) {
+    plane::MovingDelaunay delaunay(sites);
     Workers workers(n_threads);
-    Energy energy;
-    EnergyPass(delaunay, workers).evaluate(energy);
+    plane::Energy energy;
+    plane::EnergyPass(delaunay, workers).evaluate(energy);
     return in_plane(energy, delaunay, sites.lattice());
 }
-inline PlaneEnergy energy_at(const Lattice& lattice, const Points& points) {
-    return energy_at(Sites(lattice, points));
+inline PlaneEnergy energy_at(const plane::Lattice& lattice, const plane::Points& points) {
+    return energy_at(plane::Sites(lattice, points));
 }
 
 }  // namespace pcvt::testing

@@ -30,7 +30,7 @@ Triple exact_cross(const Triple& p, const Triple& q) {
 /// The lattice as rows of a Gram matrix times 2^60.
 class ExactMetric {
    public:
-    explicit ExactMetric(const Gram3& g) {
+    explicit ExactMetric(const space::Gram& g) {
         const auto integer = [](double entry) { return Integer(std::ldexp(entry, 60)); };
         rows_ = {{{integer(g.aa), integer(g.ab), integer(g.ac)},
                   {integer(g.ab), integer(g.bb), integer(g.bc)},
@@ -100,7 +100,7 @@ struct Sphere {
 };
 
 /// The corners of a facet relative to the least one, and whether an even permutation sorts them.
-std::pair<std::array<Corner3, 3>, bool> canonical_facet(std::array<Corner3, 3> facet) {
+std::pair<std::array<space::Corner, 3>, bool> canonical_facet(std::array<space::Corner, 3> facet) {
     bool even = true;
     for (const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 1)}) {
         if (facet[j] < facet[i]) {
@@ -108,16 +108,16 @@ std::pair<std::array<Corner3, 3>, bool> canonical_facet(std::array<Corner3, 3> f
             even = !even;
         }
     }
-    const Offset3 first = facet[0].offset;
-    for (Corner3& corner : facet) corner.offset = corner.offset - first;
+    const space::Offset first = facet[0].offset;
+    for (space::Corner& corner : facet) corner.offset = corner.offset - first;
     return {facet, even};
 }
 
 /// Law (1) but for volumes.
-std::string facet_fault(const TorusTetrahedra& tetrahedra) {
-    std::map<std::array<Corner3, 3>, std::array<int, 2>> sides;
+std::string facet_fault(const space::TorusTetrahedra& tetrahedra) {
+    std::map<std::array<space::Corner, 3>, std::array<int, 2>> sides;
     for (int t = 0; t < tetrahedra.n_tetrahedra(); ++t) {
-        const Tetrahedron c = tetrahedra.tetrahedron(t);
+        const space::Tetrahedron c = tetrahedra.tetrahedron(t);
         for (const auto& facet : {std::array{c[1], c[3], c[2]}, std::array{c[0], c[2], c[3]},
                                   std::array{c[0], c[3], c[1]}, std::array{c[0], c[1], c[2]}}) {
             const auto [key, even] = canonical_facet(facet);
@@ -139,14 +139,15 @@ std::pair<int, int> offset_range(double u, double low, double high) {
 
 class Checker {
    public:
-    Checker(const TorusTetrahedra& tetrahedra, const Points3& coordinates, const Gram3& gram)
+    Checker(const space::TorusTetrahedra& tetrahedra, const space::Points& coordinates,
+            const space::Gram& gram)
         : tetrahedra_(tetrahedra), coordinates_(coordinates), metric_(gram) {}
 
     std::string fault() const {
         if (std::string words = facet_fault(tetrahedra_); !words.empty()) return words;
         Integer volume = 0;
         for (int t = 0; t < tetrahedra_.n_tetrahedra(); ++t) {
-            const Tetrahedron corners = tetrahedra_.tetrahedron(t);
+            const space::Tetrahedron corners = tetrahedra_.tetrahedron(t);
             const Sphere sphere(metric_,
                                 {at(corners[0]), at(corners[1]), at(corners[2]), at(corners[3])});
             if (sphere.determinant <= 0) return "tetrahedron " + std::to_string(t) + " is flat";
@@ -159,25 +160,25 @@ class Checker {
     }
 
    private:
-    Triple at(const Corner3& corner) const {
+    Triple at(const space::Corner& corner) const {
         const auto u = coordinates_.col(corner.site);
         return {scaled(u.x(), corner.offset.i), scaled(u.y(), corner.offset.j),
                 scaled(u.z(), corner.offset.k)};
     }
 
     /// Law (2) for one tetrahedron.
-    std::string sphere_fault(const Tetrahedron& corners, const Sphere& sphere) const {
+    std::string sphere_fault(const space::Tetrahedron& corners, const Sphere& sphere) const {
         // The centre and the radius, from quotients of integers that are each rounded once.
-        Vec3 dual;
+        space::Vec3 dual;
         for (int axis = 0; axis < 3; ++axis) {
             dual[axis] = std::ldexp(static_cast<double>(sphere.normal[axis]), -260) /
                          std::ldexp(static_cast<double>(sphere.determinant), -150) / 2;
         }
         const Eigen::Matrix3d inverse = metric_.rounded().inverse();
-        const Vec3 half = inverse * dual;
+        const space::Vec3 half = inverse * dual;
         const double radius = std::sqrt(dual.dot(half));
-        const Vec3 centre = image(coordinates_, corners[0]).at + half;
-        const Vec3 reach = radius * inverse.diagonal().cwiseSqrt();
+        const space::Vec3 centre = image(coordinates_, corners[0]).at + half;
+        const space::Vec3 reach = radius * inverse.diagonal().cwiseSqrt();
         for (SiteId s = 0; s < static_cast<SiteId>(coordinates_.cols()); ++s) {
             std::array<std::pair<int, int>, 3> range;
             for (int axis = 0; axis < 3; ++axis) {
@@ -187,7 +188,7 @@ class Checker {
             for (int i = range[0].first; i <= range[0].second; ++i) {
                 for (int j = range[1].first; j <= range[1].second; ++j) {
                     for (int k = range[2].first; k <= range[2].second; ++k) {
-                        const Corner3 other{s, {i, j, k}};
+                        const space::Corner other{s, {i, j, k}};
                         if (std::find(corners.begin(), corners.end(), other) != corners.end()) {
                             continue;
                         }
@@ -201,15 +202,15 @@ class Checker {
         return "";
     }
 
-    const TorusTetrahedra& tetrahedra_;
-    const Points3& coordinates_;
+    const space::TorusTetrahedra& tetrahedra_;
+    const space::Points& coordinates_;
     ExactMetric metric_;
 };
 
 }  // namespace
 
-std::string delaunay_fault(const TorusTetrahedra& tetrahedra, const Points3& coordinates,
-                           const Gram3& gram) {
+std::string delaunay_fault(const space::TorusTetrahedra& tetrahedra,
+                           const space::Points& coordinates, const space::Gram& gram) {
     return Checker(tetrahedra, coordinates, gram).fault();
 }
 

@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include "mesher/space/torus_tetrahedra.hpp"
+#include "mesher/space/delaunay/torus_tetrahedra.hpp"
 
 namespace pcvt::testing {
 
 /// Proves that tetrahedra are the periodic Delaunay triangulation of sites in space, or names the
 /// first fault. All decisions are made with integers of 512 bits, by other formulas than those of
-/// mesher/space/space_predicates.hpp:
+/// mesher/space/delaunay/predicates.hpp:
 ///
 ///   (1) Every tetrahedron is positive, every facet has one tetrahedron on each side, and the
 ///       volumes sum to exactly one domain. So the tetrahedra fill the torus once.
@@ -21,7 +21,7 @@ namespace pcvt::testing {
 ///
 /// @param coordinates  3 x n, multiples of 2^-50.
 /// @returns "" for a proof.
-std::string delaunay_fault(const TorusTetrahedra& tetrahedra, const Points3& coordinates,
-                           const Gram3& gram);
+std::string delaunay_fault(const space::TorusTetrahedra& tetrahedra,
+                           const space::Points& coordinates, const space::Gram& gram);
 
 }  // namespace pcvt::testing

@@ -4,21 +4,22 @@ namespace pcvt::testing {
 namespace {
 
 /// The vertices of the (columns + 1) x (rows + 1) grid and their identification, without faces.
-Tile grid_vertices(const Lattice& lattice, MeshKind kind, int columns, int rows) {
-    Tile tile{.lattice = lattice, .kind = kind};
+plane::Tile grid_vertices(const plane::Lattice& lattice, plane::MeshKind kind, int columns,
+                          int rows) {
+    plane::Tile tile{.lattice = lattice, .kind = kind};
     const auto id = [columns](int i, int j) { return j * (columns + 1) + i; };
     for (int j = 0; j <= rows; ++j) {
         for (int i = 0; i <= columns; ++i) {
-            const Offset offset{i / columns, j / rows};
-            const Vec2 u(double(i % columns) / columns, double(j % rows) / rows);
+            const plane::Offset offset{i / columns, j / rows};
+            const plane::Vec2 u(double(i % columns) / columns, double(j % rows) / rows);
             tile.points.push_back(lattice.to_plane(u) + lattice.translation(offset));
-            if (offset != Offset{}) {
+            if (offset != plane::Offset{}) {
                 tile.vertex_pairs.push_back({id(i % columns, j % rows), id(i, j), offset});
             }
         }
     }
     const bool right_handed = lattice.right_handed();
-    const auto glue = [&](int v0, int v1, int w0, int w1, Offset offset) {
+    const auto glue = [&](int v0, int v1, int w0, int w1, plane::Offset offset) {
         // The face of v0 -> v1 lies to its left only in a right-handed basis.
         if (right_handed) {
             tile.edge_pairs.push_back({v0, v1, w0, w1, offset});
@@ -35,15 +36,15 @@ Tile grid_vertices(const Lattice& lattice, MeshKind kind, int columns, int rows)
     return tile;
 }
 
-void add_face(Tile& tile, std::vector<int> corners) {
+void add_face(plane::Tile& tile, std::vector<int> corners) {
     if (!tile.lattice.right_handed()) corners = {corners.rbegin(), corners.rend()};
     tile.faces.add(corners);
 }
 
 }  // namespace
 
-Tile grid_tile(const Lattice& lattice, int columns, int rows) {
-    Tile tile = grid_vertices(lattice, MeshKind::kVoronoi, columns, rows);
+plane::Tile grid_tile(const plane::Lattice& lattice, int columns, int rows) {
+    plane::Tile tile = grid_vertices(lattice, plane::MeshKind::kVoronoi, columns, rows);
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns; ++i) {
             const int v = j * (columns + 1) + i;
@@ -55,8 +56,8 @@ Tile grid_tile(const Lattice& lattice, int columns, int rows) {
     return tile;
 }
 
-Tile triangle_grid_tile(const Lattice& lattice, int columns, int rows) {
-    Tile tile = grid_vertices(lattice, MeshKind::kDelaunay, columns, rows);
+plane::Tile triangle_grid_tile(const plane::Lattice& lattice, int columns, int rows) {
+    plane::Tile tile = grid_vertices(lattice, plane::MeshKind::kDelaunay, columns, rows);
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns; ++i) {
             const int v = j * (columns + 1) + i;
@@ -72,9 +73,9 @@ Tile triangle_grid_tile(const Lattice& lattice, int columns, int rows) {
     return tile;
 }
 
-Tile grain_grid_tile(const Lattice& lattice, int columns, int rows) {
-    Tile tile = triangle_grid_tile(lattice, columns, rows);
-    tile.kind = MeshKind::kGrains;
+plane::Tile grain_grid_tile(const plane::Lattice& lattice, int columns, int rows) {
+    plane::Tile tile = triangle_grid_tile(lattice, columns, rows);
+    tile.kind = plane::MeshKind::kGrains;
     tile.vertex_site.clear();
     for (int f = 0; f < tile.n_faces(); ++f) tile.face_site.push_back(f / 2);
     return tile;

@@ -13,7 +13,7 @@ double power_of_ten(double from, double to, double x) {
     return std::pow(10, from + (to - from) * x);
 }
 
-Vec2 any_vector(std::mt19937_64& random, double from, double to) {
+plane::Vec2 any_vector(std::mt19937_64& random, double from, double to) {
     const double x = random_number(random);
     const double y = random_number(random);
     return {from + (to - from) * x, from + (to - from) * y};
@@ -21,31 +21,31 @@ Vec2 any_vector(std::mt19937_64& random, double from, double to) {
 
 int small_number(std::mt19937_64& random) { return 1 + static_cast<int>(random() % 8); }
 
-SiteId any_site(const MovingDelaunay& delaunay, std::mt19937_64& random) {
+SiteId any_site(const plane::MovingDelaunay& delaunay, std::mt19937_64& random) {
     return static_cast<SiteId>(random() % static_cast<unsigned>(delaunay.n_sites()));
 }
 
 /// Moves each site by displacement(site), in lattice coordinates.
 template <class Displacement>
-Eigen::VectorXf displaced(const MovingDelaunay& delaunay, const Displacement& displacement) {
+Eigen::VectorXf displaced(const plane::MovingDelaunay& delaunay, const Displacement& displacement) {
     Eigen::VectorXf move(2 * delaunay.n_sites());
     for (SiteId s = 0; s < delaunay.n_sites(); ++s) {
-        const Vec2 d = displacement(s);
+        const plane::Vec2 d = displacement(s);
         move.segment<2>(2 * s) = delaunay.frame().to_plane(d).cast<float>();
     }
     return move;
 }
 
 /// Reduces a difference of lattice coordinates by whole periods.
-Vec2 shortened(const Vec2& d) { return (d.array() - d.array().round()).matrix(); }
+plane::Vec2 shortened(const plane::Vec2& d) { return (d.array() - d.array().round()).matrix(); }
 
 /// A random point in lattice coordinates, every other time on the seam.
-Vec2 any_place(std::mt19937_64& random) {
-    const Vec2 place = any_vector(random, 0, 1);
-    return random() % 2 == 0 ? place : Vec2(0, place.y());
+plane::Vec2 any_place(std::mt19937_64& random) {
+    const plane::Vec2 place = any_vector(random, 0, 1);
+    return random() % 2 == 0 ? place : plane::Vec2(0, place.y());
 }
 
-Eigen::VectorXf broken_move(const MovingDelaunay& delaunay, std::mt19937_64& random) {
+Eigen::VectorXf broken_move(const plane::MovingDelaunay& delaunay, std::mt19937_64& random) {
     Eigen::VectorXf move = normal_move(delaunay, random, 1);
     move[2 * any_site(delaunay, random)] = random() % 2 == 0
                                                ? std::numeric_limits<float>::quiet_NaN()
@@ -55,26 +55,27 @@ Eigen::VectorXf broken_move(const MovingDelaunay& delaunay, std::mt19937_64& ran
 
 }  // namespace
 
-Eigen::VectorXf normal_move(const MovingDelaunay& delaunay, std::mt19937_64& random, double size) {
+Eigen::VectorXf normal_move(const plane::MovingDelaunay& delaunay, std::mt19937_64& random,
+                            double size) {
     std::normal_distribution<double> normal(0, size);
     Eigen::VectorXf move(2 * delaunay.n_sites());
     for (float& x : move) x = static_cast<float>(normal(random));
     return move;
 }
 
-Eigen::VectorXf drift(const MovingDelaunay& delaunay, const Vec2& periods) {
+Eigen::VectorXf drift(const plane::MovingDelaunay& delaunay, const plane::Vec2& periods) {
     return displaced(delaunay, [&](SiteId) { return periods; });
 }
 
-Eigen::VectorXf period_jumps(const MovingDelaunay& delaunay, std::mt19937_64& random) {
+Eigen::VectorXf period_jumps(const plane::MovingDelaunay& delaunay, std::mt19937_64& random) {
     std::uniform_int_distribution<int> whole(-3, 3);
     return displaced(delaunay, [&](SiteId) {
         const int i = whole(random);
-        return Vec2(i, whole(random));
+        return plane::Vec2(i, whole(random));
     });
 }
 
-Eigen::VectorXf lloyd_move(const MovingDelaunay& delaunay, const Energy& energy) {
+Eigen::VectorXf lloyd_move(const plane::MovingDelaunay& delaunay, const plane::Energy& energy) {
     Eigen::VectorXf move(2 * delaunay.n_sites());
     for (SiteId s = 0; s < delaunay.n_sites(); ++s) {
         move.segment<2>(2 * s) =
@@ -83,52 +84,54 @@ Eigen::VectorXf lloyd_move(const MovingDelaunay& delaunay, const Energy& energy)
     return move;
 }
 
-Eigen::VectorXf collapse(const MovingDelaunay& delaunay, Some some, const Vec2& place,
+Eigen::VectorXf collapse(const plane::MovingDelaunay& delaunay, Some some, const plane::Vec2& place,
                          double factor) {
-    return displaced(delaunay, [&](SiteId s) -> Vec2 {
-        if (random_number(some.random) >= some.share) return Vec2::Zero();
+    return displaced(delaunay, [&](SiteId s) -> plane::Vec2 {
+        if (random_number(some.random) >= some.share) return plane::Vec2::Zero();
         return (1 - factor) * shortened(place - delaunay.coordinates().col(s));
     });
 }
 
-Eigen::VectorXf snap(const MovingDelaunay& delaunay, Some some, int columns, int rows) {
-    return displaced(delaunay, [&](SiteId s) -> Vec2 {
-        if (random_number(some.random) >= some.share) return Vec2::Zero();
-        const Vec2 u = delaunay.coordinates().col(s);
-        return Vec2(std::round(u.x() * columns) / columns, std::round(u.y() * rows) / rows) - u;
+Eigen::VectorXf snap(const plane::MovingDelaunay& delaunay, Some some, int columns, int rows) {
+    return displaced(delaunay, [&](SiteId s) -> plane::Vec2 {
+        if (random_number(some.random) >= some.share) return plane::Vec2::Zero();
+        const plane::Vec2 u = delaunay.coordinates().col(s);
+        return plane::Vec2(std::round(u.x() * columns) / columns, std::round(u.y() * rows) / rows) -
+               u;
     });
 }
 
-Eigen::VectorXf grid_move(const MovingDelaunay& delaunay, int columns) {
+Eigen::VectorXf grid_move(const plane::MovingDelaunay& delaunay, int columns) {
     const int rows = (delaunay.n_sites() + columns - 1) / columns;
     return displaced(delaunay, [&](SiteId s) {
-        const Vec2 place(double(s / rows) / columns, double(s % rows) / rows);
+        const plane::Vec2 place(double(s / rows) / columns, double(s % rows) / rows);
         return shortened(place - delaunay.coordinates().col(s));
     });
 }
 
-Eigen::VectorXf meet(const MovingDelaunay& delaunay, SiteId site, SiteId other, double times) {
-    return displaced(delaunay, [&](SiteId s) -> Vec2 {
-        if (s != site) return Vec2::Zero();
+Eigen::VectorXf meet(const plane::MovingDelaunay& delaunay, SiteId site, SiteId other,
+                     double times) {
+    return displaced(delaunay, [&](SiteId s) -> plane::Vec2 {
+        if (s != site) return plane::Vec2::Zero();
         return times *
                shortened(delaunay.coordinates().col(other) - delaunay.coordinates().col(site));
     });
 }
 
-Eigen::VectorXf exchange(const MovingDelaunay& delaunay, SiteId site, SiteId other) {
+Eigen::VectorXf exchange(const plane::MovingDelaunay& delaunay, SiteId site, SiteId other) {
     return meet(delaunay, site, other) + meet(delaunay, other, site);
 }
 
-NamedMove any_move(const MovingDelaunay& delaunay, const Energy& energy, std::mt19937_64& random,
-                   int kind) {
+NamedMove any_move(const plane::MovingDelaunay& delaunay, const plane::Energy& energy,
+                   std::mt19937_64& random, int kind) {
     // Drawn in separate statements, since the compiler chooses the order in which arguments are
     // evaluated.
     const int n = delaunay.n_sites();
     const SiteId site = any_site(delaunay, random);
     const SiteId other = any_site(delaunay, random);
     const SiteId neighbour = delaunay.triangulation().corner_sites()[random() % (6u * n)];
-    const Vec2 place = any_place(random);
-    const Vec2 periods = any_vector(random, -2, 2);
+    const plane::Vec2 place = any_place(random);
+    const plane::Vec2 periods = any_vector(random, -2, 2);
     const double x = random_number(random);
     const double share = random_number(random);
     const double closer = random() % 4 == 0 ? 0 : power_of_ten(-6, 0, x);

@@ -12,14 +12,15 @@ int index_of(const std::vector<int>& permutation, int value) {
                             permutation.begin());
 }
 
-Vec2 rounded(const Vec2& p) { return p.cast<float>().cast<double>(); }
+plane::Vec2 rounded(const plane::Vec2& p) { return p.cast<float>().cast<double>(); }
 
 }  // namespace
 
-Tile polygon_tile(const Lattice& lattice, const std::vector<Polygon>& polygons) {
-    Tile tile{.lattice = lattice, .kind = MeshKind::kVoronoi};
-    for (const Polygon& polygon : polygons) {
-        for (const Vec2& corner : polygon) {
+plane::Tile polygon_tile(const plane::Lattice& lattice,
+                         const std::vector<plane::Polygon>& polygons) {
+    plane::Tile tile{.lattice = lattice, .kind = plane::MeshKind::kVoronoi};
+    for (const plane::Polygon& polygon : polygons) {
+        for (const plane::Vec2& corner : polygon) {
             int v = 0;
             while (v < tile.n_vertices() && (tile.points[v] - corner).norm() > 1e-9) ++v;
             if (v == tile.n_vertices()) tile.points.push_back(corner);
@@ -31,38 +32,39 @@ Tile polygon_tile(const Lattice& lattice, const std::vector<Polygon>& polygons) 
     return tile;
 }
 
-Tile honeycomb_tile(int columns, int rows) {
+plane::Tile honeycomb_tile(int columns, int rows) {
     const double half_width = std::sqrt(3.0) / 2;
-    const Vec2 across(2 * half_width, 0);
-    const Vec2 up(half_width, 1.5);
-    std::vector<Polygon> hexagons;
+    const plane::Vec2 across(2 * half_width, 0);
+    const plane::Vec2 up(half_width, 1.5);
+    std::vector<plane::Polygon> hexagons;
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns; ++i) {
-            const Vec2 centre = i * across + j * up;
-            hexagons.push_back({centre + Vec2(half_width, -0.5), centre + Vec2(half_width, 0.5),
-                                centre + Vec2(0, 1), centre + Vec2(-half_width, 0.5),
-                                centre + Vec2(-half_width, -0.5), centre + Vec2(0, -1)});
+            const plane::Vec2 centre = i * across + j * up;
+            hexagons.push_back(
+                {centre + plane::Vec2(half_width, -0.5), centre + plane::Vec2(half_width, 0.5),
+                 centre + plane::Vec2(0, 1), centre + plane::Vec2(-half_width, 0.5),
+                 centre + plane::Vec2(-half_width, -0.5), centre + plane::Vec2(0, -1)});
         }
     }
-    return polygon_tile(Lattice(columns * across, rows * up), hexagons);
+    return polygon_tile(plane::Lattice(columns * across, rows * up), hexagons);
 }
 
-Tile square_tiled(const SquareTiled& surface) {
+plane::Tile square_tiled(const SquareTiled& surface) {
     const auto bulge = [](int s) { return 0.02 * (s + 1); };
-    std::vector<Polygon> squares;
+    std::vector<plane::Polygon> squares;
     for (int s = 0; s < static_cast<int>(surface.at.size()); ++s) {
         const int left = index_of(surface.right, s);
         const int below = index_of(surface.above, s);
-        const Polygon corners = {{0, 0}, {0.5, bulge(below)}, {1, 0}, {1 + bulge(s), 0.5},
-                                 {1, 1}, {0.5, 1 + bulge(s)}, {0, 1}, {bulge(left), 0.5}};
+        const plane::Polygon corners = {{0, 0}, {0.5, bulge(below)}, {1, 0}, {1 + bulge(s), 0.5},
+                                        {1, 1}, {0.5, 1 + bulge(s)}, {0, 1}, {bulge(left), 0.5}};
         squares.emplace_back();
-        for (const Vec2& corner : corners) squares.back().push_back(surface.at[s] + corner);
+        for (const plane::Vec2& corner : corners) squares.back().push_back(surface.at[s] + corner);
     }
-    return polygon_tile(Lattice::rectangle(1, 1), squares);
+    return polygon_tile(plane::Lattice::rectangle(1, 1), squares);
 }
 
-Tile float_fans(const Tile& tile) {
-    Tile fans{.lattice = tile.lattice, .kind = tile.kind};
+plane::Tile float_fans(const plane::Tile& tile) {
+    plane::Tile fans{.lattice = tile.lattice, .kind = tile.kind};
     std::vector<int> first_copy(tile.points.size(), -1);
     for (int f = 0; f < tile.n_faces(); ++f) {
         const int base = fans.n_vertices();
@@ -76,7 +78,7 @@ Tile float_fans(const Tile& tile) {
             if (!tile.face_site.empty()) fans.face_site.push_back(tile.face_site[f]);
         }
     }
-    for (const VertexPair& pair : tile.vertex_pairs) {
+    for (const plane::VertexPair& pair : tile.vertex_pairs) {
         fans.vertex_pairs.push_back({first_copy[pair.v], first_copy[pair.w], pair.offset});
     }
     return fans;

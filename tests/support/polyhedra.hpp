@@ -3,33 +3,34 @@
 #include <string>
 #include <vector>
 
-#include "mesher/polyhedra/polyhedral_mesh.hpp"
-#include "mesher/space/space_delaunay.hpp"
-#include "mesher/space_search/space_pattern.hpp"
+#include "mesher/space/delaunay/periodic_delaunay.hpp"
+#include "mesher/space/mesh/polyhedral_mesh.hpp"
+#include "mesher/space/search/lattice_pattern.hpp"
 
 namespace pcvt::testing {
 
 /// Sites for tests of polyhedra, with a name for messages.
 struct SpaceCase {
     std::string name;
-    SpaceLattice lattice;
-    Points3 points;
+    space::Lattice lattice;
+    space::Points points;
 };
 
-inline Points3 lattice_points(int n) {
-    return pattern_points(best_space_pattern(Eigen::Matrix3d::Identity(), n));
+inline space::Points lattice_points(int n) {
+    return pattern_points(space::best_lattice(Eigen::Matrix3d::Identity(), n));
 }
 
-inline Points3 grid_points(int k) {
-    return pattern_points(space_pattern(Eigen::Matrix3d::Identity(), {.a = k, .d = k, .f = k}));
+inline space::Points grid_points(int k) {
+    return pattern_points(
+        space::lattice_pattern(Eigen::Matrix3d::Identity(), {.a = k, .d = k, .f = k}));
 }
 
 /// Random sites on cubes, oblique and thin lattices, and sites of exact lattices.
 inline std::vector<SpaceCase> space_cases() {
-    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
-    const SpaceLattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {2.4, 0.3, 1.2});
-    const SpaceLattice left_handed({1, 0, 0}, {0, 0, 1.1}, {0.3, 0.8, 0});
-    const SpaceLattice thin = SpaceLattice::box(1, 0.01, 0.3);
+    const space::Lattice cube = space::Lattice::box(1, 1, 1);
+    const space::Lattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {2.4, 0.3, 1.2});
+    const space::Lattice left_handed({1, 0, 0}, {0, 0, 1.1}, {0.3, 0.8, 0});
+    const space::Lattice thin = space::Lattice::box(1, 0.01, 0.3);
     std::vector<SpaceCase> cases;
     std::uint64_t seed = 0;
     for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 30, 200}) {
@@ -48,13 +49,14 @@ inline std::vector<SpaceCase> space_cases() {
     return cases;
 }
 
-inline CellComplex complex_of(const SpaceCase& c) {
-    const SpaceDelaunay delaunay = space_delaunay(SpaceSites(c.lattice, c.points));
+inline space::CellComplex complex_of(const SpaceCase& c) {
+    const space::PeriodicDelaunay delaunay =
+        space::periodic_delaunay(space::Sites(c.lattice, c.points));
     return cell_complex(delaunay.sites, delaunay.tetrahedra);
 }
 
-inline PolyhedralMesh mesh_of(const SpaceCase& c) {
-    return polyhedral_mesh(SpaceSites(c.lattice, c.points), complex_of(c));
+inline space::PolyhedralMesh mesh_of(const SpaceCase& c) {
+    return polyhedral_mesh(space::Sites(c.lattice, c.points), complex_of(c));
 }
 
 }  // namespace pcvt::testing

@@ -1,58 +1,60 @@
 #include "tests/support/power_tiles.hpp"
 
-#include "mesher/areas/target_areas.hpp"
+#include "mesher/plane/areas/target_areas.hpp"
 
 namespace pcvt::testing {
 
 std::vector<CellShape> cell_shapes() {
     return {{"power", "lognormal:0.42"},
-            {"elongated", "", Metric(3, 30)},
-            {"elongated power", "gamma:0.3", Metric(0.4, -77.25)}};
+            {"elongated", "", plane::Metric(3, 30)},
+            {"elongated power", "gamma:0.3", plane::Metric(0.4, -77.25)}};
 }
 
-AreaCvtResult power_cells(const Lattice& lattice, int n, int seed, const CellShape& shape,
-                          int centroidal_steps) {
-    const Lattice round = shape.metric.to_round(lattice);
-    const Points points = shape.metric.to_round(uniform_points(lattice, n, seed));
-    const AreaLaw law = parse_area_law(*shape.law == '\0' ? "equal" : shape.law);
-    return compute_area_cvt(round, points,
-                            {.areas = scaled_areas(draw_areas(law, n, seed), n, lattice.area()),
-                             .centroidal_steps = centroidal_steps});
+plane::AreaCvtResult power_cells(const plane::Lattice& lattice, int n, int seed,
+                                 const CellShape& shape, int centroidal_steps) {
+    const plane::Lattice round = shape.metric.to_round(lattice);
+    const plane::Points points = shape.metric.to_round(uniform_points(lattice, n, seed));
+    const plane::AreaLaw law = plane::parse_area_law(*shape.law == '\0' ? "equal" : shape.law);
+    return compute_area_cvt(
+        round, points,
+        {.areas = plane::scaled_areas(draw_areas(law, n, seed), n, lattice.area()),
+         .centroidal_steps = centroidal_steps});
 }
 
-Tile power_tile(const Lattice& lattice, int n, int seed, const CellShape& shape,
-                TileOptions options, int centroidal_steps) {
-    if (!shape.metric.is_round()) options.elongation = Elongation{shape.metric, lattice};
+plane::Tile power_tile(const plane::Lattice& lattice, int n, int seed, const CellShape& shape,
+                       plane::TileOptions options, int centroidal_steps) {
+    if (!shape.metric.is_round()) options.elongation = plane::Elongation{shape.metric, lattice};
     if (*shape.law == '\0') {
-        const Points points = shape.metric.to_round(uniform_points(lattice, n, seed));
-        const Sites sites(shape.metric.to_round(lattice), points);
-        return build_tile(PeriodicDelaunay(sites), options).tile;
+        const plane::Points points = shape.metric.to_round(uniform_points(lattice, n, seed));
+        const plane::Sites sites(shape.metric.to_round(lattice), points);
+        return build_tile(plane::PeriodicDelaunay(sites), options).tile;
     }
-    const AreaCvtResult cells = power_cells(lattice, n, seed, shape, centroidal_steps);
+    const plane::AreaCvtResult cells = power_cells(lattice, n, seed, shape, centroidal_steps);
     return build_tile(cells.delaunay, options).tile;
 }
 
-std::vector<TileOptions> tile_kinds() {
-    std::vector<TileOptions> kinds;
-    const auto add = [&kinds](MeshKind kind, Outline outline, int columns) -> TileOptions& {
-        TileOptions& options = kinds.emplace_back();
+std::vector<plane::TileOptions> tile_kinds() {
+    std::vector<plane::TileOptions> kinds;
+    const auto add = [&kinds](plane::MeshKind kind, plane::Outline outline,
+                              int columns) -> plane::TileOptions& {
+        plane::TileOptions& options = kinds.emplace_back();
         options.kind = kind;
         options.outline = outline;
         options.columns = columns;
         return options;
     };
     for (const int columns : {1, 2}) {
-        for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
-            add(MeshKind::kVoronoi, outline, columns);
-            add(MeshKind::kGrains, outline, columns);
-            TileOptions& second_order = add(MeshKind::kGrains, outline, columns);
+        for (const plane::Outline outline : {plane::Outline::kWhole, plane::Outline::kBox}) {
+            add(plane::MeshKind::kVoronoi, outline, columns);
+            add(plane::MeshKind::kGrains, outline, columns);
+            plane::TileOptions& second_order = add(plane::MeshKind::kGrains, outline, columns);
             second_order.grain_per_edge = 1;
             second_order.order = 2;
             second_order.rows = 2;
         }
-        add(MeshKind::kDelaunay, Outline::kWhole, columns);
+        add(plane::MeshKind::kDelaunay, plane::Outline::kWhole, columns);
     }
-    add(MeshKind::kVoronoi, Outline::kWhole, 1).short_edges = 0.2;
+    add(plane::MeshKind::kVoronoi, plane::Outline::kWhole, 1).short_edges = 0.2;
     return kinds;
 }
 

@@ -20,21 +20,21 @@ int number_of_sites(Random& random) {
 
 struct NamedLattice {
     std::string name;
-    SpaceLattice lattice;
+    space::Lattice lattice;
 };
 
 NamedLattice random_lattice(Random& random) {
     const int kind = random_integer(random, 0, 7);
-    const SpaceLattice oblique = random_space_lattice(random);
+    const space::Lattice oblique = random_space_lattice(random);
     const auto& [a, b, c] = oblique.periods();
     const auto side = [&] { return std::exp(2 * random_number(random) - 1); };
     switch (kind) {
         case 0:
-            return {"cube", SpaceLattice::box(1, 1, 1)};
+            return {"cube", space::Lattice::box(1, 1, 1)};
         case 1: {
             const double x = side();
             const double y = side();
-            return {"box", SpaceLattice::box(x, y, side())};
+            return {"box", space::Lattice::box(x, y, side())};
         }
         case 2:
             return {"oblique lattice", oblique};
@@ -43,11 +43,11 @@ NamedLattice random_lattice(Random& random) {
             return {"unreduced lattice", {a, b + m * a, c + (m + 3) * a - m * b}};
         }
         case 4:
-            return {"left-handed lattice", {b, a, oblique.right_handed() ? c : Vec3(-c)}};
+            return {"left-handed lattice", {b, a, oblique.right_handed() ? c : space::Vec3(-c)}};
         case 5:
-            return {"rod", SpaceLattice::box(1, 1, 100)};
+            return {"rod", space::Lattice::box(1, 1, 100)};
         case 6:
-            return {"plate", SpaceLattice::box(100, 1, 100)};
+            return {"plate", space::Lattice::box(100, 1, 100)};
         default: {
             const auto all = space_lattices();
             const auto& close = all[all.size() - 1 - std::size_t(random_integer(random, 0, 2))];
@@ -56,16 +56,16 @@ NamedLattice random_lattice(Random& random) {
     }
 }
 
-Points3 sites_in_cube(int n, Random& random) {
-    return uniform_points(SpaceLattice::box(1, 1, 1), n, random());
+space::Points sites_in_cube(int n, Random& random) {
+    return uniform_points(space::Lattice::box(1, 1, 1), n, random());
 }
 
 /// The points of a grid with random numbers of rows, in an order of their own.
-Points3 grid(Random& random) {
+space::Points grid(Random& random) {
     const int columns = random_integer(random, 1, 8);
     const int rows = random_integer(random, 1, 6);
     const int layers = random_integer(random, 1, 5);
-    Points3 points(3, columns * rows * layers);
+    space::Points points(3, columns * rows * layers);
     for (Eigen::Index k = 0; k < points.cols(); ++k) {
         points.col(k) << double(k % columns) / columns, double(k / columns % rows) / rows,
             double(k / columns / rows) / layers;
@@ -74,8 +74,8 @@ Points3 grid(Random& random) {
 }
 
 /// Random points of which each coordinate lies on the seam with the probability 1/3.
-Points3 on_the_seam(int n, Random& random) {
-    Points3 points = sites_in_cube(n, random);
+space::Points on_the_seam(int n, Random& random) {
+    space::Points points = sites_in_cube(n, random);
     for (double& x : points.reshaped()) {
         if (random_integer(random, 0, 2) == 0) x = 0;
     }
@@ -83,18 +83,18 @@ Points3 on_the_seam(int n, Random& random) {
 }
 
 /// Integer points of one sphere, all or some of them.
-Points3 on_a_sphere(Random& random) {
+space::Points on_a_sphere(Random& random) {
     const int square = std::vector{1, 2, 3, 5, 6, 9, 14}[std::size_t(random_integer(random, 0, 6))];
-    std::vector<Vec3> points;
+    std::vector<space::Vec3> points;
     for (int o = 0; o < 729; ++o) {
-        const Vec3 p(o / 81 - 4, o / 9 % 9 - 4, o % 9 - 4);
+        const space::Vec3 p(o / 81 - 4, o / 9 % 9 - 4, o % 9 - 4);
         if (p.squaredNorm() == square && random_integer(random, 0, 3) > 0) points.push_back(p / 16);
     }
     points.emplace_back(0.5, 0.5, 0.5);
-    return Eigen::Map<const Points3>(points.front().data(), 3, Eigen::Index(points.size()));
+    return Eigen::Map<const space::Points>(points.front().data(), 3, Eigen::Index(points.size()));
 }
 
-Points3 cubic(Random& random) {
+space::Points cubic(Random& random) {
     const auto kind = Cubic(random_integer(random, 0, 2));
     const int most = kind == Cubic::kSimple ? 6 : kind == Cubic::kBodyCentred ? 5 : 4;
     return cubic_points(kind, random_integer(random, 1, most));
@@ -102,13 +102,13 @@ Points3 cubic(Random& random) {
 
 struct NamedPoints {
     std::string name;
-    Points3 coordinates;
+    space::Points coordinates;
 };
 
 /// Coordinates in the reduced basis, perhaps not distinct.
 NamedPoints random_points(Random& random) {
     const int n = number_of_sites(random);
-    Points3 points = sites_in_cube(n, random);
+    space::Points points = sites_in_cube(n, random);
     // A build with a long row of sites is slow.
     const int few = std::min(n, 40);
     switch (random_integer(random, 0, 10)) {
@@ -143,12 +143,12 @@ NamedPoints random_points(Random& random) {
 }
 
 /// Rounds to multiples of 2^-50 in [0, 1) and leaves out what coincides.
-Points3 distinct(const Points3& coordinates) {
+space::Points distinct(const space::Points& coordinates) {
     std::set<std::tuple<double, double, double>> known;
-    Points3 kept(3, coordinates.cols());
+    space::Points kept(3, coordinates.cols());
     Eigen::Index n = 0;
     for (const auto& u : coordinates.colwise()) {
-        const Vec3 at = wrap(u).fraction;
+        const space::Vec3 at = space::wrap(u).fraction;
         if (known.emplace(at.x(), at.y(), at.z()).second) kept.col(n++) = at;
     }
     return kept.leftCols(n);
@@ -161,14 +161,14 @@ RandomSpaceSites random_space_sites(Random& random) {
     auto [name, coordinates] = random_points(random);
     if (random_integer(random, 0, 2) == 0) {
         name += " off by 2^-50";
-        for (double& x : coordinates.reshaped()) x += random_integer(random, -1, 1) / kGrid3;
+        for (double& x : coordinates.reshaped()) x += random_integer(random, -1, 1) / space::kGrid;
     }
     if (random_integer(random, 0, 1) == 0) {
         name += ", moved";
-        const Vec3 move(random_number(random), random_number(random), random_number(random));
-        coordinates.colwise() += wrap(move).fraction;
+        const space::Vec3 move(random_number(random), random_number(random), random_number(random));
+        coordinates.colwise() += space::wrap(move).fraction;
     }
-    const SpaceSites sites(lattice, reduce(lattice), distinct(coordinates));
+    const space::Sites sites(lattice, reduce(lattice), distinct(coordinates));
     return {std::to_string(sites.n_sites()) + " of " + name + " in a " + lattice_name, sites};
 }
 

@@ -3,14 +3,14 @@
 #include <random>
 #include <string>
 
-#include "mesher/space/space_sites.hpp"
+#include "mesher/space/geometry/sites.hpp"
 
 namespace pcvt::testing {
 
 struct RandomSpaceSites {
     /// The kind of lattice, the kind of sites and their number.
     std::string name;
-    SpaceSites sites;
+    space::Sites sites;
 };
 
 /// Draws a lattice (cube, box, oblique, unreduced, left-handed, thin 1 : 100, close-packed) and

@@ -9,16 +9,16 @@
 namespace pcvt::testing {
 namespace {
 
-Tile jittered_grid(const Lattice& lattice, std::mt19937& random) {
+plane::Tile jittered_grid(const plane::Lattice& lattice, std::mt19937& random) {
     const int columns = 1 + static_cast<int>(random() % 5);
     const int rows = 1 + static_cast<int>(random() % 5);
-    Tile tile = random() % 2 ? grid_tile(lattice, columns, rows)
-                             : triangle_grid_tile(lattice, columns, rows);
+    plane::Tile tile = random() % 2 ? grid_tile(lattice, columns, rows)
+                                    : triangle_grid_tile(lattice, columns, rows);
     std::uniform_real_distribution<double> jitter(-0.1, 0.1);
-    for (Vec2& p : tile.points) {
+    for (plane::Vec2& p : tile.points) {
         p += lattice.to_plane({jitter(random) / columns, jitter(random) / rows});
     }
-    for (const VertexPair& pair : tile.vertex_pairs) {
+    for (const plane::VertexPair& pair : tile.vertex_pairs) {
         tile.points[pair.w] = tile.points[pair.v] + lattice.translation(pair.offset);
     }
     return tile;
@@ -26,33 +26,33 @@ Tile jittered_grid(const Lattice& lattice, std::mt19937& random) {
 
 }  // namespace
 
-std::vector<Lattice> many_lattices() {
-    return {Lattice::rectangle(1, 1),
-            Lattice::rectangle(20, 1),
-            Lattice::rectangle(1, 20),
-            Lattice::rectangle(0.001, 0.002),
-            Lattice::rectangle(1e6, 1e6),
-            Lattice({1, 0}, {0.37, 0.81}),
-            Lattice({1, 0}, {7, 1}),
-            Lattice({0.5, 0.1}, {-0.2, 2}),
-            Lattice({0, 1}, {1, 0}),
-            Lattice({1, 0}, {0.5, std::sqrt(0.75)}),
-            Lattice({1.0 / 3, 1e-3}, {-333.3, 1.0 / 7}),
-            Lattice({1e-60, 0}, {0.3e-60, 1e-60})};
+std::vector<plane::Lattice> many_lattices() {
+    return {plane::Lattice::rectangle(1, 1),
+            plane::Lattice::rectangle(20, 1),
+            plane::Lattice::rectangle(1, 20),
+            plane::Lattice::rectangle(0.001, 0.002),
+            plane::Lattice::rectangle(1e6, 1e6),
+            plane::Lattice({1, 0}, {0.37, 0.81}),
+            plane::Lattice({1, 0}, {7, 1}),
+            plane::Lattice({0.5, 0.1}, {-0.2, 2}),
+            plane::Lattice({0, 1}, {1, 0}),
+            plane::Lattice({1, 0}, {0.5, std::sqrt(0.75)}),
+            plane::Lattice({1.0 / 3, 1e-3}, {-333.3, 1.0 / 7}),
+            plane::Lattice({1e-60, 0}, {0.3e-60, 1e-60})};
 }
 
-Tile scrambled_grid(const Lattice& lattice, std::mt19937& random) {
-    const Tile tile = jittered_grid(lattice, random);
+plane::Tile scrambled_grid(const plane::Lattice& lattice, std::mt19937& random) {
+    const plane::Tile tile = jittered_grid(lattice, random);
     std::vector<int> name(tile.points.size());
     std::iota(name.begin(), name.end(), 0);
     std::shuffle(name.begin(), name.end(), random);
-    Tile result = tile;
+    plane::Tile result = tile;
     for (int v = 0; v < tile.n_vertices(); ++v) result.points[name[v]] = tile.points[v];
-    for (VertexPair& pair : result.vertex_pairs) {
+    for (plane::VertexPair& pair : result.vertex_pairs) {
         pair = {name[pair.v], name[pair.w], pair.offset};
         if (random() % 2) pair = {pair.w, pair.v, -pair.offset};
     }
-    for (EdgePair& e : result.edge_pairs) {
+    for (plane::EdgePair& e : result.edge_pairs) {
         e = {name[e.v0], name[e.v1], name[e.w0], name[e.w1], e.offset};
         if (random() % 2) e = e.reversed();
     }

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "mesher/delaunay/spatial_sort.hpp"
-#include "mesher/lattice/sites.hpp"
+#include "mesher/plane/delaunay/spatial_sort.hpp"
+#include "mesher/plane/geometry/sites.hpp"
 
 namespace pcvt::testing {
 
 /// The columns in which the strips of a triangulation begin.
-inline SpatialSort columns_of(const Sites& sites) {
+inline plane::SpatialSort columns_of(const plane::Sites& sites) {
     return spatial_sort(sites.coordinates(), gram_of(sites.reduction().reduced));
 }
 

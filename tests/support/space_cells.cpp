@@ -7,16 +7,16 @@
 namespace pcvt::testing {
 namespace {
 
-using SpacePolygon = std::vector<Vec3>;
+using SpacePolygon = std::vector<space::Vec3>;
 
 /// The cube [-r, r]^3.
 ClippedCell cube(double r) {
     ClippedCell cell;
     for (int axis = 0; axis < 3; ++axis) {
         for (const double side : {-1.0, 1.0}) {
-            const Vec3 n = side * Vec3::Unit(axis);
-            const Vec3 s = Vec3::Unit((axis + 1) % 3);
-            const Vec3 t = n.cross(s);
+            const space::Vec3 n = side * space::Vec3::Unit(axis);
+            const space::Vec3 s = space::Vec3::Unit((axis + 1) % 3);
+            const space::Vec3 t = n.cross(s);
             cell.faces.push_back(
                 {r * (n - s - t), r * (n + s - t), r * (n + s + t), r * (n - s + t)});
         }
@@ -25,14 +25,14 @@ ClippedCell cube(double r) {
 }
 
 /// Keeps the part where normal.p <= level, and closes the cut.
-void clip(ClippedCell& cell, const Vec3& normal, double level) {
+void clip(ClippedCell& cell, const space::Vec3& normal, double level) {
     std::vector<SpacePolygon> kept;
     SpacePolygon cut;
     for (const SpacePolygon& face : cell.faces) {
         SpacePolygon part;
         for (std::size_t k = 0; k < face.size(); ++k) {
-            const Vec3& p = face[k];
-            const Vec3& q = face[(k + 1) % face.size()];
+            const space::Vec3& p = face[k];
+            const space::Vec3& q = face[(k + 1) % face.size()];
             const double fp = normal.dot(p) - level;
             const double fq = normal.dot(q) - level;
             if (fp <= 0) part.push_back(p);
@@ -47,11 +47,11 @@ void clip(ClippedCell& cell, const Vec3& normal, double level) {
     cell.faces = std::move(kept);
     if (cut.size() < 3) return;
     // Order the points of the cut round their mean.
-    Vec3 mean = Vec3::Zero();
-    for (const Vec3& p : cut) mean += p / double(cut.size());
-    const Vec3 s = normal.unitOrthogonal();
-    const Vec3 t = normal.cross(s);
-    std::sort(cut.begin(), cut.end(), [&](const Vec3& p, const Vec3& q) {
+    space::Vec3 mean = space::Vec3::Zero();
+    for (const space::Vec3& p : cut) mean += p / double(cut.size());
+    const space::Vec3 s = normal.unitOrthogonal();
+    const space::Vec3 t = normal.cross(s);
+    std::sort(cut.begin(), cut.end(), [&](const space::Vec3& p, const space::Vec3& q) {
         return std::atan2(t.dot(p - mean), s.dot(p - mean)) <
                std::atan2(t.dot(q - mean), s.dot(q - mean));
     });
@@ -63,29 +63,30 @@ template <class Visit>
 void for_each_tetrahedron(const ClippedCell& cell, const Visit& visit) {
     for (const SpacePolygon& face : cell.faces) {
         for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-            const Vec3& a = face[0];
-            const Vec3& b = face[k];
-            const Vec3& c = face[k + 1];
+            const space::Vec3& a = face[0];
+            const space::Vec3& b = face[k];
+            const space::Vec3& c = face[k + 1];
             visit(a.dot(b.cross(c)) / 6, a, b, c);
         }
     }
 }
 
-ClippedCell clipped_cell(const SpaceSites& sites, SiteId site) {
-    const SpaceLattice& reduced = sites.reduction().reduced;
-    std::vector<Vec3> images;
+ClippedCell clipped_cell(const space::Sites& sites, SiteId site) {
+    const space::Lattice& reduced = sites.reduction().reduced;
+    std::vector<space::Vec3> images;
     for (SiteId t = 0; t < sites.n_sites(); ++t) {
         for (int o = 0; o < 125; ++o) {
-            const Vec3 offset(o / 25 - 2, o / 5 % 5 - 2, o % 5 - 2);
+            const space::Vec3 offset(o / 25 - 2, o / 5 % 5 - 2, o % 5 - 2);
             if (t == site && offset.isZero()) continue;
             images.push_back(reduced.to_space(sites.coordinates().col(t) -
                                               sites.coordinates().col(site) + offset));
         }
     }
-    std::sort(images.begin(), images.end(),
-              [](const Vec3& p, const Vec3& q) { return p.squaredNorm() < q.squaredNorm(); });
+    std::sort(images.begin(), images.end(), [](const space::Vec3& p, const space::Vec3& q) {
+        return p.squaredNorm() < q.squaredNorm();
+    });
     ClippedCell cell = cube(2 * reduced.c().norm());
-    for (const Vec3& p : images) clip(cell, p, p.squaredNorm() / 2);
+    for (const space::Vec3& p : images) clip(cell, p, p.squaredNorm() / 2);
     return cell;
 }
 
@@ -93,34 +94,35 @@ ClippedCell clipped_cell(const SpaceSites& sites, SiteId site) {
 
 double ClippedCell::volume() const {
     double sum = 0;
-    for_each_tetrahedron(*this, [&](double v, const Vec3&, const Vec3&, const Vec3&) { sum += v; });
+    for_each_tetrahedron(*this, [&](double v, const space::Vec3&, const space::Vec3&,
+                                    const space::Vec3&) { sum += v; });
     return sum;
 }
 
 double ClippedCell::second_moment() const {
     double sum = 0;
-    for_each_tetrahedron(*this, [&](double v, const Vec3& a, const Vec3& b, const Vec3& c) {
+    for_each_tetrahedron(*this, [&](double v, const space::Vec3& a, const space::Vec3& b,
+                                    const space::Vec3& c) {
         sum += v / 20 *
                (a.squaredNorm() + b.squaredNorm() + c.squaredNorm() + (a + b + c).squaredNorm());
     });
     return sum;
 }
 
-Vec3 ClippedCell::first_moment() const {
-    Vec3 sum = Vec3::Zero();
-    for_each_tetrahedron(*this, [&](double v, const Vec3& a, const Vec3& b, const Vec3& c) {
-        sum += v / 4 * (a + b + c);
-    });
+space::Vec3 ClippedCell::first_moment() const {
+    space::Vec3 sum = space::Vec3::Zero();
+    for_each_tetrahedron(*this, [&](double v, const space::Vec3& a, const space::Vec3& b,
+                                    const space::Vec3& c) { sum += v / 4 * (a + b + c); });
     return sum;
 }
 
-std::vector<ClippedCell> clipped_cells(const SpaceSites& sites) {
+std::vector<ClippedCell> clipped_cells(const space::Sites& sites) {
     std::vector<ClippedCell> cells;
     for (SiteId s = 0; s < sites.n_sites(); ++s) cells.push_back(clipped_cell(sites, s));
     return cells;
 }
 
-BruteForceEnergy brute_force_energy(const SpaceSites& sites) {
+BruteForceEnergy brute_force_energy(const space::Sites& sites) {
     BruteForceEnergy energy;
     for (const ClippedCell& cell : clipped_cells(sites)) {
         energy.value += cell.second_moment();

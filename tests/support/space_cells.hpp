@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mesher/space/space_sites.hpp"
+#include "mesher/space/geometry/sites.hpp"
 
 namespace pcvt::testing {
 
@@ -10,26 +10,26 @@ namespace pcvt::testing {
 /// it, without any triangulation. Length units of the lattice; the site is the origin.
 struct ClippedCell {
     /// Convex polygons, each seen counter-clockwise from outside.
-    std::vector<std::vector<Vec3>> faces;
+    std::vector<std::vector<space::Vec3>> faces;
 
     double volume() const;
     /// The integral of |p|^2.
     double second_moment() const;
     /// The integral of p.
-    Vec3 first_moment() const;
+    space::Vec3 first_moment() const;
 };
 
 /// The cells of all sites; cost n^2.
-std::vector<ClippedCell> clipped_cells(const SpaceSites& sites);
+std::vector<ClippedCell> clipped_cells(const space::Sites& sites);
 
 /// The sums over clipped_cells().
 struct BruteForceEnergy {
     double value = 0;
     std::vector<double> volumes;
     /// 2 V_i (x_i - g_i), length units.
-    std::vector<Vec3> gradient;
+    std::vector<space::Vec3> gradient;
 };
 
-BruteForceEnergy brute_force_energy(const SpaceSites& sites);
+BruteForceEnergy brute_force_energy(const space::Sites& sites);
 
 }  // namespace pcvt::testing

@@ -6,12 +6,12 @@ namespace pcvt::testing {
 
 struct NamedSpaceSites {
     std::string name;
-    SpaceSites sites;
+    space::Sites sites;
 };
 
 /// The points u_0 a + u_1 b + u_2 c.
-inline Points3 in_lattice(const SpaceLattice& lattice, const Points3& coordinates) {
-    Points3 points(3, coordinates.cols());
+inline space::Points in_lattice(const space::Lattice& lattice, const space::Points& coordinates) {
+    space::Points points(3, coordinates.cols());
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
         points.col(s) = lattice.to_space(coordinates.col(s));
     }
@@ -19,21 +19,21 @@ inline Points3 in_lattice(const SpaceLattice& lattice, const Points3& coordinate
 }
 
 /// Points of the unit cube in exact rows, planes and grids, on a sphere, in a cluster.
-inline std::vector<std::pair<std::string, Points3>> special_coordinates(std::uint64_t seed) {
-    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
-    std::vector<std::pair<std::string, Points3>> all;
-    Points3 row = uniform_points(cube, 9, seed);
+inline std::vector<std::pair<std::string, space::Points>> special_coordinates(std::uint64_t seed) {
+    const space::Lattice cube = space::Lattice::box(1, 1, 1);
+    std::vector<std::pair<std::string, space::Points>> all;
+    space::Points row = uniform_points(cube, 9, seed);
     row.topRows(2).setConstant(0.25);
     all.emplace_back("row", row);
-    Points3 plane = uniform_points(cube, 16, seed);
+    space::Points plane = uniform_points(cube, 16, seed);
     plane.row(1).setConstant(0.125);
     all.emplace_back("plane", plane);
-    Points3 planes = uniform_points(cube, 16, seed);
+    space::Points planes = uniform_points(cube, 16, seed);
     planes.row(2) = (planes.row(2).array() * 4).floor().matrix() / 4;
     all.emplace_back("planes", planes);
-    Points3 grid = uniform_points(cube, 24, seed);
+    space::Points grid = uniform_points(cube, 24, seed);
     grid = (grid * 8).array().floor().matrix() / 8;
-    Points3 distinct(3, 0);
+    space::Points distinct(3, 0);
     for (Eigen::Index s = 0; s < grid.cols(); ++s) {
         bool known = false;
         for (Eigen::Index t = 0; t < distinct.cols(); ++t) known |= distinct.col(t) == grid.col(s);
@@ -43,11 +43,11 @@ inline std::vector<std::pair<std::string, Points3>> special_coordinates(std::uin
     }
     all.emplace_back("some points of a grid", distinct);
     // All integer points at distance 3 from the origin.
-    Points3 sphere(3, 30);
+    space::Points sphere(3, 30);
     int n = 0;
     for (int o = 0; o < 343; ++o) {
-        const Vec3 p(o / 49 - 3, o / 7 % 7 - 3, o % 7 - 3);
-        if (p.squaredNorm() == 9) sphere.col(n++) = (p + Vec3(4, 4, 4)) / 8;
+        const space::Vec3 p(o / 49 - 3, o / 7 % 7 - 3, o % 7 - 3);
+        if (p.squaredNorm() == 9) sphere.col(n++) = (p + space::Vec3(4, 4, 4)) / 8;
     }
     all.emplace_back("sphere", sphere);
     all.emplace_back("cluster", uniform_points(cube, 24, seed) / 64);
@@ -67,11 +67,11 @@ inline std::vector<NamedSpaceSites> space_site_families(std::uint64_t seed) {
     for (const auto& [name, lattice] : space_lattices()) {
         for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 23}) {
             all.push_back({name + " with " + std::to_string(n),
-                           SpaceSites(lattice, uniform_points(lattice, n, seed + n))});
+                           space::Sites(lattice, uniform_points(lattice, n, seed + n))});
         }
         if (name != "cube" && name != "needle" && name != "oblique") continue;
         for (const auto& [kind, u] : special_coordinates(seed)) {
-            all.push_back({name + " with " + kind, SpaceSites(lattice, in_lattice(lattice, u))});
+            all.push_back({name + " with " + kind, space::Sites(lattice, in_lattice(lattice, u))});
         }
     }
     return all;

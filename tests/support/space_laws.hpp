@@ -8,27 +8,27 @@
 #include <set>
 #include <vector>
 
-#include "mesher/space/space_delaunay.hpp"
+#include "mesher/space/delaunay/periodic_delaunay.hpp"
 
 namespace pcvt::testing {
 
 /// A tetrahedron as all its translates have it: sorted, relative to its first corner.
-inline Tetrahedron canonical(Tetrahedron t) {
+inline space::Tetrahedron canonical(space::Tetrahedron t) {
     std::sort(t.begin(), t.end());
-    const Offset3 first = t[0].offset;
-    for (Corner3& corner : t) corner.offset = corner.offset - first;
+    const space::Offset first = t[0].offset;
+    for (space::Corner& corner : t) corner.offset = corner.offset - first;
     return t;
 }
 
-inline std::vector<Tetrahedron> canonical_tetrahedra(const TorusTetrahedra& torus) {
-    std::vector<Tetrahedron> all;
+inline std::vector<space::Tetrahedron> canonical_tetrahedra(const space::TorusTetrahedra& torus) {
+    std::vector<space::Tetrahedron> all;
     for (int t = 0; t < torus.n_tetrahedra(); ++t) all.push_back(canonical(torus.tetrahedron(t)));
     std::sort(all.begin(), all.end());
     return all;
 }
 
 /// Expects laws (1) to (3) of TorusTetrahedra.
-inline void expect_torus(const TorusTetrahedra& torus, const Points3& coordinates) {
+inline void expect_torus(const space::TorusTetrahedra& torus, const space::Points& coordinates) {
     // Laws 1 and 2
     for (int f = 0; f < torus.n_facets(); ++f) {
         const int o = torus.opposite(f);
@@ -36,25 +36,25 @@ inline void expect_torus(const TorusTetrahedra& torus, const Points3& coordinate
         ASSERT_EQ(torus.opposite(o), f);
         auto here = torus.facet(f);
         auto there = torus.facet(o);
-        for (Corner3& corner : there) corner.offset = corner.offset + torus.frame_across(f);
+        for (space::Corner& corner : there) corner.offset = corner.offset + torus.frame_across(f);
         std::sort(here.begin(), here.end());
         std::sort(there.begin(), there.end());
         ASSERT_EQ(here, there);
         ASSERT_EQ(torus.frame_across(o), -torus.frame_across(f));
     }
     // Law 3
-    std::set<std::array<Corner3, 2>> edges;
+    std::set<std::array<space::Corner, 2>> edges;
     double volume = 0;
     for (int t = 0; t < torus.n_tetrahedra(); ++t) {
         ASSERT_TRUE(is_positive(torus, coordinates, t));
-        const Tetrahedron corners = torus.tetrahedron(t);
+        const space::Tetrahedron corners = torus.tetrahedron(t);
         for (int k = 0; k < 4; ++k) {
             for (int m = k + 1; m < 4; ++m) {
-                std::array<Corner3, 2> edge{corners[k], corners[m]};
-                std::array<Corner3, 2> reverse{edge[1], edge[0]};
+                std::array<space::Corner, 2> edge{corners[k], corners[m]};
+                std::array<space::Corner, 2> reverse{edge[1], edge[0]};
                 for (auto* e : {&edge, &reverse}) {
-                    const Offset3 first = (*e)[0].offset;
-                    for (Corner3& corner : *e) corner.offset = corner.offset - first;
+                    const space::Offset first = (*e)[0].offset;
+                    for (space::Corner& corner : *e) corner.offset = corner.offset - first;
                 }
                 edges.insert(std::min(edge, reverse));
             }
@@ -68,8 +68,8 @@ inline void expect_torus(const TorusTetrahedra& torus, const Points3& coordinate
 
 /// Expects that every facet is locally Delaunay: with expect_torus() a proof of the global
 /// property.
-inline void expect_delaunay(const TorusTetrahedra& torus, const Points3& coordinates,
-                            const Gram3& gram) {
+inline void expect_delaunay(const space::TorusTetrahedra& torus, const space::Points& coordinates,
+                            const space::Gram& gram) {
     for (int f = 0; f < torus.n_facets(); ++f) {
         ASSERT_TRUE(is_locally_delaunay(torus, coordinates, gram, f)) << "facet " << f;
     }

@@ -4,18 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "mesher/lattice/sites.hpp"
+#include "mesher/plane/geometry/sites.hpp"
 
 namespace pcvt::testing {
 
 struct NamedSites {
     std::string name;
-    Sites sites;
+    plane::Sites sites;
 };
 
 /// columns x rows sites on a grid of the lattice, the first at lattice coordinates (u, v).
-inline Sites grid_sites(const Lattice& lattice, int columns, int rows, double u, double v) {
-    Points points(2, columns * rows);
+inline plane::Sites grid_sites(const plane::Lattice& lattice, int columns, int rows, double u,
+                               double v) {
+    plane::Points points(2, columns * rows);
     for (int k = 0; k < columns * rows; ++k) {
         points.col(k) =
             lattice.to_plane({u + double(k % columns) / columns, v + double(k / columns) / rows});
@@ -24,17 +25,18 @@ inline Sites grid_sites(const Lattice& lattice, int columns, int rows, double u,
 }
 
 /// n sites on one straight line along `direction`.
-inline Sites sites_on_a_line(const Lattice& lattice, int n, const Vec2& direction) {
-    Points points(2, n);
+inline plane::Sites sites_on_a_line(const plane::Lattice& lattice, int n,
+                                    const plane::Vec2& direction) {
+    plane::Points points(2, n);
     for (int k = 0; k < n; ++k) points.col(k) = (k + 0.5) / n * direction;
     return {lattice, points};
 }
 
 /// Sites with exact ties, with near ties, and on the seam.
 inline std::vector<NamedSites> special_sites() {
-    const Lattice unit = Lattice::rectangle(1, 1);
-    const Lattice turned({std::cos(0.3), std::sin(0.3)}, {-std::sin(0.3), std::cos(0.3)});
-    const Lattice hexagonal({1, 0}, {0.5, std::sqrt(0.75)});
+    const plane::Lattice unit = plane::Lattice::rectangle(1, 1);
+    const plane::Lattice turned({std::cos(0.3), std::sin(0.3)}, {-std::sin(0.3), std::cos(0.3)});
+    const plane::Lattice hexagonal({1, 0}, {0.5, std::sqrt(0.75)});
     std::vector<NamedSites> list;
     for (const int n : {1, 2, 3, 4, 5, 8}) {
         const std::string size = std::to_string(n);
@@ -47,7 +49,7 @@ inline std::vector<NamedSites> special_sites() {
         list.push_back({"row " + size, sites_on_a_line(unit, n, {1, 0})});
         list.push_back({"diagonal " + size, sites_on_a_line(unit, n, {1, 1})});
         list.push_back(
-            {"thin row " + size, sites_on_a_line(Lattice::rectangle(20, 1), n, {20, 0})});
+            {"thin row " + size, sites_on_a_line(plane::Lattice::rectangle(20, 1), n, {20, 0})});
     }
     return list;
 }

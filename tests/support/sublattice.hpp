@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/lattice/sites.hpp"
+#include "mesher/plane/geometry/sites.hpp"
 
 namespace pcvt::testing {
 
@@ -12,18 +12,19 @@ struct SublatticeBasis {
 };
 
 /// The n points of one domain, 2 x n.
-inline Points sublattice_points(const Lattice& lattice, const SublatticeBasis& basis) {
+inline plane::Points sublattice_points(const plane::Lattice& lattice,
+                                       const SublatticeBasis& basis) {
     const int n = basis.a * basis.d;
-    Points points(2, n);
+    plane::Points points(2, n);
     for (int k = 0; k < n; ++k) {
         const double i = k / basis.d;
         const double j = k % basis.d;
-        points.col(k) = lattice.to_plane(Vec2(i * basis.d, j * basis.a - i * basis.b) / n);
+        points.col(k) = lattice.to_plane(plane::Vec2(i * basis.d, j * basis.a - i * basis.b) / n);
     }
     return points;
 }
 
-inline Sites sublattice_sites(const Lattice& lattice, const SublatticeBasis& basis) {
+inline plane::Sites sublattice_sites(const plane::Lattice& lattice, const SublatticeBasis& basis) {
     return {lattice, sublattice_points(lattice, basis)};
 }
 

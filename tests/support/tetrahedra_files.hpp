@@ -10,25 +10,25 @@
 namespace pcvt::testing {
 
 /// A name for messages and a tile of tetrahedra.
-using NamedTetrahedra = std::pair<std::string, TetrahedralMesh>;
+using NamedTetrahedra = std::pair<std::string, space::TetrahedralMesh>;
 
-inline TetrahedralMesh tetrahedra_of(const SpaceCase& c) {
-    return tetrahedral_mesh(space_delaunay(SpaceSites(c.lattice, c.points)));
+inline space::TetrahedralMesh tetrahedra_of(const SpaceCase& c) {
+    return tetrahedral_mesh(space::periodic_delaunay(space::Sites(c.lattice, c.points)));
 }
 
 /// The cases without flat tetrahedra.
 inline std::vector<NamedTetrahedra> tetrahedra_cases() {
     std::vector<NamedTetrahedra> meshes;
     for (const SpaceCase& c : space_cases()) {
-        TetrahedralMesh mesh = tetrahedra_of(c);
+        space::TetrahedralMesh mesh = tetrahedra_of(c);
         if (!flat_tetrahedra(mesh, static_cast<int>(c.points.cols())).empty()) continue;
         meshes.emplace_back(c.name, std::move(mesh));
     }
     return meshes;
 }
 
-inline TetrahedralMesh random_tetrahedra(int n) {
-    const SpaceLattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
+inline space::TetrahedralMesh random_tetrahedra(int n) {
+    const space::Lattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
     return tetrahedra_of({"random", oblique, uniform_points(oblique, n, 3)});
 }
 

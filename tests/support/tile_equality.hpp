@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "mesher/tile/tile.hpp"
+#include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt::testing {
 
 /// Expects that all numbers of the two tiles are equal, bit for bit except for the sign of zero.
-inline void expect_same_tile(const Tile& actual, const Tile& expected) {
+inline void expect_same_tile(const plane::Tile& actual, const plane::Tile& expected) {
     EXPECT_EQ(actual.lattice.a(), expected.lattice.a());
     EXPECT_EQ(actual.lattice.b(), expected.lattice.b());
     EXPECT_EQ(actual.kind, expected.kind);
@@ -21,9 +21,10 @@ inline void expect_same_tile(const Tile& actual, const Tile& expected) {
 }
 
 /// Lattices with awkward numbers: oblique, left-handed, tiny, huge.
-inline std::vector<Lattice> awkward_lattices() {
-    return {Lattice({1, 0}, {0, 1}), Lattice({1, 0}, {0.37, 0.81}), Lattice({0, 1}, {1, 0}),
-            Lattice({1e-3 / 3, 0}, {0, 2e-3 / 7}), Lattice({1e6 / 3, 1e5 / 7}, {-1e5, 1e6 / 9})};
+inline std::vector<plane::Lattice> awkward_lattices() {
+    return {plane::Lattice({1, 0}, {0, 1}), plane::Lattice({1, 0}, {0.37, 0.81}),
+            plane::Lattice({0, 1}, {1, 0}), plane::Lattice({1e-3 / 3, 0}, {0, 2e-3 / 7}),
+            plane::Lattice({1e6 / 3, 1e5 / 7}, {-1e5, 1e6 / 9})};
 }
 
 }  // namespace pcvt::testing

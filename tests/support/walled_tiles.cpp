@@ -1,29 +1,32 @@
 #include "tests/support/walled_tiles.hpp"
 
-#include "mesher/cvt/walled_cvt.hpp"
+#include "mesher/plane/cvt/walled_cvt.hpp"
 
 namespace pcvt::testing {
 
-Tile walled_tile(Walls walls, WallCells cells, int n, TileOptions options) {
-    const Lattice lattice = Lattice::rectangle(2, 1);
-    const WalledCvt cvt =
+plane::Tile walled_tile(plane::Walls walls, plane::WallCells cells, int n,
+                        plane::TileOptions options) {
+    const plane::Lattice lattice = plane::Lattice::rectangle(2, 1);
+    const plane::WalledCvt cvt =
         compute_walled_cvt(lattice, walls, cells, uniform_points(lattice, n, 4), {});
     options.walled = cvt.domain;
     return build_tile(cvt.torus.delaunay, options).tile;
 }
 
-std::vector<Tile> walled_tiles(Walls walls) {
-    std::vector<Tile> tiles;
+std::vector<plane::Tile> walled_tiles(plane::Walls walls) {
+    std::vector<plane::Tile> tiles;
     for (const int order : {1, 2}) {
-        for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
-            const TileOptions grains{.kind = MeshKind::kGrains, .outline = outline, .order = order};
-            tiles.push_back(walled_tile(walls, WallCells::kWhole, 7, grains));
-            tiles.push_back(walled_tile(walls, WallCells::kHalf, 14, grains));
+        for (const plane::Outline outline : {plane::Outline::kWhole, plane::Outline::kBox}) {
+            const plane::TileOptions grains{
+                .kind = plane::MeshKind::kGrains, .outline = outline, .order = order};
+            tiles.push_back(walled_tile(walls, plane::WallCells::kWhole, 7, grains));
+            tiles.push_back(walled_tile(walls, plane::WallCells::kHalf, 14, grains));
         }
-        const TileOptions grains{.kind = MeshKind::kGrains, .order = order};
-        tiles.push_back(walled_tile(walls, WallCells::kWhole, 1, grains));
+        const plane::TileOptions grains{.kind = plane::MeshKind::kGrains, .order = order};
+        tiles.push_back(walled_tile(walls, plane::WallCells::kWhole, 1, grains));
     }
-    tiles.push_back(walled_tile(walls, WallCells::kHalf, 14, {.kind = MeshKind::kDelaunay}));
+    tiles.push_back(
+        walled_tile(walls, plane::WallCells::kHalf, 14, {.kind = plane::MeshKind::kDelaunay}));
     return tiles;
 }
 

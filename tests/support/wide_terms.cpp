@@ -16,7 +16,7 @@ struct WideVector {
     WideVector operator-(const WideVector& o) const { return {x - o.x, y - o.y}; }
     Wide dot(const WideVector& o) const { return x * o.x + y * o.y; }
     Wide cross(const WideVector& o) const { return x * o.y - y * o.x; }
-    Vec2 rounded() const { return {static_cast<double>(x), static_cast<double>(y)}; }
+    plane::Vec2 rounded() const { return {static_cast<double>(x), static_cast<double>(y)}; }
 };
 
 /// Integrals of |p|^2, p and 1 over triangles with one corner at the origin.
@@ -49,8 +49,8 @@ WideVector circumcentre(const WideVector& p, const WideVector& q) {
 
 }  // namespace
 
-WideTerms wide_terms(const Vec2& p, const Vec2& q, const ReducedFrame& frame) {
-    const auto plane = [&frame](const Vec2& u) {
+WideTerms wide_terms(const plane::Vec2& p, const plane::Vec2& q, const plane::ReducedFrame& frame) {
+    const auto plane = [&frame](const plane::Vec2& u) {
         return WideVector{Wide(frame.ax) * u.x() + Wide(frame.bx) * u.y(), Wide(frame.by) * u.y()};
     };
     const std::array<WideVector, 3> x{WideVector{}, plane(p), plane(q)};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/energy/triangle_terms.hpp"
+#include "mesher/plane/energy/triangle_terms.hpp"
 
 namespace pcvt::testing {
 
@@ -8,7 +8,7 @@ namespace pcvt::testing {
 /// right-angled parts, computed in fifty digits and rounded once.
 struct WideTerms {
     double value = 0;
-    std::array<Vec2, 3> gradient;
+    std::array<plane::Vec2, 3> gradient;
     std::array<double, 3> mass;
     /// The scales of rounding: sums of absolute values, computed as if no angle were a right angle.
     double value_size = 0;
@@ -17,6 +17,6 @@ struct WideTerms {
 };
 
 /// @param p, q  as for triangle_terms.
-WideTerms wide_terms(const Vec2& p, const Vec2& q, const ReducedFrame& frame);
+WideTerms wide_terms(const plane::Vec2& p, const plane::Vec2& q, const plane::ReducedFrame& frame);
 
 }  // namespace pcvt::testing

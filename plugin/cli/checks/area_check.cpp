@@ -4,27 +4,27 @@
 #include <functional>
 #include <limits>
 
-#include "mesher/areas/cell_areas.hpp"
-#include "mesher/areas/target_areas.hpp"
-#include "mesher/lattice/polygon.hpp"
-#include "mesher/tile/face_polygon.hpp"
+#include "mesher/plane/areas/cell_areas.hpp"
+#include "mesher/plane/areas/target_areas.hpp"
+#include "mesher/plane/geometry/polygon.hpp"
+#include "mesher/plane/tile/face_polygon.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
 namespace pcvt::cli {
 namespace {
 
 /// The cells of a tile with weights, as its file states them.
-StatedCells stated_cells(const TileFile& file, const TileProof& proof) {
-    const Tile& tile = file.tile;
+plane::StatedCells stated_cells(const TileFile& file, const plane::TileProof& proof) {
+    const plane::Tile& tile = file.tile;
     const auto n = static_cast<int>(tile.site_positions.size());
-    StatedCells cells{
-        .lattice = Lattice(tile.lattice.a() / tile.columns, tile.lattice.b() / tile.rows),
+    plane::StatedCells cells{
+        .lattice = plane::Lattice(tile.lattice.a() / tile.columns, tile.lattice.b() / tile.rows),
         .metric = tile.metric,
         .walls = tile.walls,
-        .points = Points(2, n),
+        .points = plane::Points(2, n),
         .weights = Eigen::Map<const Eigen::VectorXd>(tile.site_weights.data(), n),
         .rounding = proof.tolerance,
-        .weight_rounding = file.precision == Precision::kDouble
+        .weight_rounding = file.precision == plane::Precision::kDouble
                                ? std::numeric_limits<double>::epsilon()
                                : double(std::numeric_limits<float>::epsilon())};
     for (int s = 0; s < n; ++s) cells.points.col(s) = tile.site_positions[s];
@@ -32,7 +32,7 @@ StatedCells stated_cells(const TileFile& file, const TileProof& proof) {
 }
 
 /// The cells of voxels with weights. Positions are rounded as in tiles.
-StatedCells stated_cells(const VoxelCells& cells) {
+plane::StatedCells stated_cells(const plane::VoxelCells& cells) {
     constexpr double kUlps = 4;
     constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
     return {.lattice = cells.lattice,
@@ -44,24 +44,25 @@ StatedCells stated_cells(const VoxelCells& cells) {
 }
 
 /// Whether corners of cells may lie off those of the power cells of the stated weights.
-bool moves_corners(const Tile& tile) {
-    return tile.kind == MeshKind::kGrains ||
-           (tile.kind == MeshKind::kVoronoi && tile.short_edges > 0);
+bool moves_corners(const plane::Tile& tile) {
+    return tile.kind == plane::MeshKind::kGrains ||
+           (tile.kind == plane::MeshKind::kVoronoi && tile.short_edges > 0);
 }
 
 /// Compares the areas of the faces of each site with the wished ones.
-AreaComparison compare_face_areas(const Tile& tile, const TileProof& proof,
-                                  const Eigen::VectorXd& wanted) {
+plane::AreaComparison compare_face_areas(const plane::Tile& tile, const plane::TileProof& proof,
+                                         const Eigen::VectorXd& wanted) {
     Eigen::VectorXd area = Eigen::VectorXd::Zero(wanted.size());
     Eigen::VectorXd perimeter = area;
     for (int f = 0; f < tile.n_faces(); ++f) {
-        const Polygon polygon = face_polygon(tile.points, tile.faces[f]);
-        area[tile.face_site[f]] += polygon_area(polygon) / (tile.columns * tile.rows);
-        perimeter[tile.face_site[f]] += polygon_perimeter(polygon) / (tile.columns * tile.rows);
+        const plane::Polygon polygon = plane::face_polygon(tile.points, tile.faces[f]);
+        area[tile.face_site[f]] += plane::polygon_area(polygon) / (tile.columns * tile.rows);
+        perimeter[tile.face_site[f]] +=
+            plane::polygon_perimeter(polygon) / (tile.columns * tile.rows);
     }
-    AreaComparison worst{.site = -1, .area = 0, .error = 0, .tolerance = 0};
+    plane::AreaComparison worst{.site = -1, .area = 0, .error = 0, .tolerance = 0};
     const double least =
-        file_area_tolerance(static_cast<int>(wanted.size()) * n_images(tile.walls));
+        plane::file_area_tolerance(static_cast<int>(wanted.size()) * n_images(tile.walls));
     for (int s = 0; s < wanted.size(); ++s) {
         const double error = std::abs(area[s] - wanted[s]) / wanted[s];
         const double tolerance = std::max(least, perimeter[s] * proof.tolerance / wanted[s]);
@@ -79,11 +80,12 @@ AreaComparison compare_face_areas(const Tile& tile, const TileProof& proof,
 
 /// Compares the areas of n cells with the wished ones.
 /// @param compare  measures the cells and compares them with areas in units of the domain.
-std::string prove_areas(const AreaFile& wanted, int n, double domain_area,
-                        const std::function<AreaComparison(const Eigen::VectorXd&)>& compare) {
+std::string prove_areas(
+    const AreaFile& wanted, int n, double domain_area,
+    const std::function<plane::AreaComparison(const Eigen::VectorXd&)>& compare) {
     require_areas(wanted, n);
-    const Eigen::VectorXd areas = scaled_areas(wanted.areas, n, domain_area);
-    const AreaComparison found = compare(areas);
+    const Eigen::VectorXd areas = plane::scaled_areas(wanted.areas, n, domain_area);
+    const plane::AreaComparison found = compare(areas);
     const std::string text =
         figure(found.error) + " of " + wanted.name + " (tolerance " + figure(found.tolerance) + ")";
     if (found.error <= found.tolerance) {
@@ -96,10 +98,10 @@ std::string prove_areas(const AreaFile& wanted, int n, double domain_area,
 
 }  // namespace
 
-std::string prove_tile_areas(const std::string& path, const TileFile& file, const TileProof& proof,
-                             const AreaFile& wanted) {
+std::string prove_tile_areas(const std::string& path, const TileFile& file,
+                             const plane::TileProof& proof, const AreaFile& wanted) {
     if (file.tile.site_weights.empty()) refuse_without_weights(path);
-    const StatedCells cells = stated_cells(file, proof);
+    const plane::StatedCells cells = stated_cells(file, proof);
     return prove_areas(wanted, static_cast<int>(cells.points.cols()), cells.lattice.area(),
                        [&](const Eigen::VectorXd& areas) {
                            return moves_corners(file.tile)
@@ -111,7 +113,7 @@ std::string prove_tile_areas(const std::string& path, const TileFile& file, cons
 std::string prove_voxel_areas(const std::string& path, const VoxelFile& file,
                               const AreaFile& wanted) {
     if (!file.cells || file.cells->weights.size() == 0) refuse_without_weights(path);
-    const StatedCells cells = stated_cells(*file.cells);
+    const plane::StatedCells cells = stated_cells(*file.cells);
     return prove_areas(wanted, static_cast<int>(cells.points.cols()), cells.lattice.area(),
                        [&](const Eigen::VectorXd& areas) { return compare_areas(cells, areas); });
 }

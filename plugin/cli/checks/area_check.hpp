@@ -17,8 +17,8 @@ namespace pcvt::cli {
 /// @returns the end of a line of proof.
 /// @throws NotATile  naming the cell with another area.
 /// @throws BadFile   the file states no weights.
-std::string prove_tile_areas(const std::string& path, const TileFile& file, const TileProof& proof,
-                             const AreaFile& wanted);
+std::string prove_tile_areas(const std::string& path, const TileFile& file,
+                             const plane::TileProof& proof, const AreaFile& wanted);
 
 /// The same for the sites of a voxel image.
 std::string prove_voxel_areas(const std::string& path, const VoxelFile& file,

@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "mesher/interfaces/inclusion_set.hpp"
-#include "mesher/tile/face_polygon.hpp"
+#include "mesher/plane/interfaces/inclusion_set.hpp"
+#include "mesher/plane/tile/face_polygon.hpp"
 #include "plugin/cli/checks/outline_proof.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
@@ -20,13 +20,13 @@ constexpr double kSameArea = 1e-12;
 constexpr double kRoundings = 8;
 
 /// The shapes of all copies of the domain: shape k of copy c is inclusion k + c n.
-InclusionSet set_of(const TileFile& file, const InclusionFile& shapes) {
-    const Tile& tile = file.tile;
-    const Lattice domain(tile.lattice.a() / tile.columns, tile.lattice.b() / tile.rows);
-    std::vector<Inclusion> all;
+plane::InclusionSet set_of(const TileFile& file, const InclusionFile& shapes) {
+    const plane::Tile& tile = file.tile;
+    const plane::Lattice domain(tile.lattice.a() / tile.columns, tile.lattice.b() / tile.rows);
+    std::vector<plane::Inclusion> all;
     for (int j = 0; j < tile.rows; ++j) {
         for (int i = 0; i < tile.columns; ++i) {
-            for (Inclusion copy : shapes.inclusions) {
+            for (plane::Inclusion copy : shapes.inclusions) {
                 copy.shape = translated(copy.shape, domain.translation({i, j}));
                 all.push_back(std::move(copy));
             }
@@ -34,7 +34,7 @@ InclusionSet set_of(const TileFile& file, const InclusionFile& shapes) {
     }
     try {
         // Faults are those of the shapes of one domain.
-        const InclusionSet one(domain, shapes.inclusions, tile.walls);
+        const plane::InclusionSet one(domain, shapes.inclusions, tile.walls);
         return {tile.lattice, std::move(all), tile.walls};
     } catch (const InvalidInput& error) {
         throw BadFile(shapes.name + ": " + error.what());
@@ -43,7 +43,7 @@ InclusionSet set_of(const TileFile& file, const InclusionFile& shapes) {
 
 class InclusionCheck {
    public:
-    InclusionCheck(const TileFile& file, const TileProof& proof, const InclusionFile& shapes)
+    InclusionCheck(const TileFile& file, const plane::TileProof& proof, const InclusionFile& shapes)
         : file_(file),
           tile_(file.tile),
           proof_(proof),
@@ -53,11 +53,12 @@ class InclusionCheck {
           copies_(tile_.columns * tile_.rows),
           domain_area_(tile_.lattice.area() / copies_) {
         const double n = static_cast<double>(tile_.site_positions.size());
-        near_ = std::max(kSameVertex * std::sqrt(domain_area_ / n), kRoundings * proof.tolerance);
+        near_ = std::max(plane::kSameVertex * std::sqrt(domain_area_ / n),
+                         kRoundings * proof.tolerance);
     }
 
     std::string prove() {
-        for (const Vec2& site : tile_.site_positions) {
+        for (const plane::Vec2& site : tile_.site_positions) {
             const int k = set_.containing(site);
             shape_.push_back(k < 0 ? -1 : k % n_shapes_);
         }
@@ -116,13 +117,13 @@ class InclusionCheck {
     }
 
     /// The tags that the file states, or shows by the materials of its faces.
-    const CellMaterials& tags() const {
+    const plane::CellMaterials& tags() const {
         return file_.materials.site_phase.empty() ? file_.shown : file_.materials;
     }
 
     /// Law (1).
     void require_tags() const {
-        const CellMaterials& stated = tags();
+        const plane::CellMaterials& stated = tags();
         for (std::size_t s = 0; s < stated.site_phase.size(); ++s) {
             const std::string& tag = stated.phase_names[stated.site_phase[s]];
             const std::string wanted = tag_of(shape_[s]);
@@ -142,17 +143,18 @@ class InclusionCheck {
             if (!is_hole_[k % n_shapes_]) continue;
             for (const OutlineEdge& outline : edges_[k]) {
                 // From the first node, so that a place far from the origin costs no digits.
-                const Vec2& base = edges_[k].front().from;
-                area[k % n_shapes_] += cross(outline.from - base, outline.to - base) / 2 / copies_;
+                const plane::Vec2& base = edges_[k].front().from;
+                area[k % n_shapes_] +=
+                    plane::cross(outline.from - base, outline.to - base) / 2 / copies_;
                 perimeter[k % n_shapes_] += (outline.to - outline.from).norm() / copies_;
             }
         }
         for (int f = 0; f < tile_.n_faces(); ++f) {
             const int k = shape_of_face(f);
             if (k < 0) continue;
-            const Polygon polygon = face_polygon(tile_.points, tile_.faces[f]);
-            area[k] += polygon_area(polygon) / copies_;
-            perimeter[k] += polygon_perimeter(polygon) / copies_;
+            const plane::Polygon polygon = plane::face_polygon(tile_.points, tile_.faces[f]);
+            area[k] += plane::polygon_area(polygon) / copies_;
+            perimeter[k] += plane::polygon_perimeter(polygon) / copies_;
         }
         for (int k = 0; k < n_shapes_; ++k) {
             const double error = std::abs(area[k] - shape_area(set_[k].shape)) / domain_area_;
@@ -177,7 +179,7 @@ class InclusionCheck {
         for (const auto& [vertices, inclusion] : left) {
             right[{vertices.second, vertices.first}] = inclusion;
         }
-        for (const EdgePair& pair : proof_.edge_pairs) {
+        for (const plane::EdgePair& pair : proof_.edge_pairs) {
             right[{pair.v0, pair.v1}] = left[{pair.w1, pair.w0}];
             right[{pair.w1, pair.w0}] = left[{pair.v0, pair.v1}];
         }
@@ -199,8 +201,8 @@ class InclusionCheck {
                 const auto other = beside.find({v, w});
                 // Merged vertices leave edges of length 0.
                 if (v == w || (other != beside.end() && other->second == k)) continue;
-                const Vec2& p = tile_.points[v];
-                const Vec2& q = tile_.points[w];
+                const plane::Vec2& p = tile_.points[v];
+                const plane::Vec2& q = tile_.points[w];
                 add_edge(k, p, q);
             }
         }
@@ -217,16 +219,16 @@ class InclusionCheck {
         }
     }
     /// Adds an edge to the copy of the shape whose outline is nearest.
-    void add_edge(int k, const Vec2& p, const Vec2& q) {
+    void add_edge(int k, const plane::Vec2& p, const plane::Vec2& q) {
         if (add_edge([&](int m) { return m % n_shapes_ == k; }, p, q)) return;
         refute(k, "an edge beside it lies off its outline" + place_in_words(p));
     }
     /// The same among the shapes that `may_be` accepts. @returns whether there is one.
     template <class MayBe>
-    bool add_edge(const MayBe& may_be, const Vec2& p, const Vec2& q) {
-        const Vec2 middle = (p + q) / 2;
+    bool add_edge(const MayBe& may_be, const plane::Vec2& p, const plane::Vec2& q) {
+        const plane::Vec2 middle = (p + q) / 2;
         int copy = -1;
-        Vec2 way(0, 0);
+        plane::Vec2 way(0, 0);
         double least = std::numeric_limits<double>::infinity();
         for (int m = 0; m < set_.n_given(); ++m) {
             if (!may_be(m)) continue;
@@ -243,10 +245,10 @@ class InclusionCheck {
     }
 
     const TileFile& file_;
-    const Tile& tile_;
-    const TileProof& proof_;
+    const plane::Tile& tile_;
+    const plane::TileProof& proof_;
     const InclusionFile& shapes_;
-    InclusionSet set_;
+    plane::InclusionSet set_;
     int n_shapes_;
     int copies_;
     double domain_area_;
@@ -263,8 +265,8 @@ class InclusionCheck {
 
 }  // namespace
 
-std::string prove_inclusions(const std::string& path, const TileFile& file, const TileProof& proof,
-                             const InclusionFile& shapes) {
+std::string prove_inclusions(const std::string& path, const TileFile& file,
+                             const plane::TileProof& proof, const InclusionFile& shapes) {
     if (!faces_have_sites(file.tile.kind)) {
         throw BadFile(path +
                       ": Delaunay triangles cross the outlines of inclusions; check a tile of "

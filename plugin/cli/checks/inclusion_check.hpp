@@ -22,7 +22,7 @@ namespace pcvt::cli {
 /// @throws NotATile  naming the line of the shape.
 /// @throws BadFile   the file has no cells or states no positions of its sites, or the shapes are
 ///                   wrong.
-std::string prove_inclusions(const std::string& path, const TileFile& file, const TileProof& proof,
-                             const InclusionFile& shapes);
+std::string prove_inclusions(const std::string& path, const TileFile& file,
+                             const plane::TileProof& proof, const InclusionFile& shapes);
 
 }  // namespace pcvt::cli

@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "mesher/interfaces/inclusion.hpp"
+#include "mesher/plane/interfaces/inclusion.hpp"
 
 namespace pcvt::cli {
 
 /// A directed edge with an inclusion on its left, in the frame of its shape.
 struct OutlineEdge {
-    Vec2 from;
-    Vec2 to;
+    plane::Vec2 from;
+    plane::Vec2 to;
     /// Edges are sorted by this: their order along the outline.
     double place = 0;
 };
@@ -25,10 +25,10 @@ struct OutlineEdge {
 /// @param near   positions may differ by this much, length units.
 /// @param where  the beginning of a message.
 /// @throws NotATile
-void prove_outline(const Shape& shape, std::vector<OutlineEdge>& edges, double near,
+void prove_outline(const plane::Shape& shape, std::vector<OutlineEdge>& edges, double near,
                    const std::string& where);
 
 /// " at (0.5, 0.25)".
-std::string place_in_words(const Vec2& p);
+std::string place_in_words(const plane::Vec2& p);
 
 }  // namespace pcvt::cli

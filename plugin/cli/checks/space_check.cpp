@@ -5,7 +5,7 @@
 #include "io/surfaces/surface_glb_fields.hpp"
 #include "io/surfaces/surface_glb_reader.hpp"
 #include "mesher/base/law_violation.hpp"
-#include "mesher/proof/validate.hpp"
+#include "mesher/plane/proof/validate.hpp"
 #include "plugin/cli/checks/tolerance_check.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
@@ -85,7 +85,7 @@ std::string prove_cells(const std::string& path, const std::vector<EncodedFile>&
                         const std::optional<double>& cvt_tolerance, double tolerance) {
     const SpaceFileProof found =
         proved_within(tolerance, [&](double within) { return prove_space_files(files, within); });
-    const PolyhedralProof& proof = found.proof;
+    const space::PolyhedralProof& proof = found.proof;
     std::string line = counted(proof.n_cells, "cell") + ", " + std::to_string(proof.n_faces) +
                        " faces, " + std::to_string(2 * proof.n_boundary_pairs) +
                        " boundary faces in " + std::to_string(proof.n_boundary_pairs) +

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "mesher/proof/validate.hpp"
+#include "mesher/plane/proof/validate.hpp"
 
 namespace pcvt::cli {
 

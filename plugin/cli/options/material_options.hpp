@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "mesher/materials/elastic_choices.hpp"
-#include "mesher/materials/material_choices.hpp"
+#include "mesher/plane/materials/elastic_choices.hpp"
+#include "mesher/plane/materials/material_choices.hpp"
 
 namespace CLI {
 class App;
@@ -28,11 +28,11 @@ void add_material_options(CLI::App& app, MaterialOptions& options);
 
 /// Reads the file of orientations, and adds its path to `inputs`.
 /// @throws InvalidInput, BadFile naming the option or the file with its line.
-MaterialChoices material_choices(const CLI::App& app, const MaterialOptions& options,
-                                 std::vector<std::string>& inputs);
+plane::MaterialChoices material_choices(const CLI::App& app, const MaterialOptions& options,
+                                        std::vector<std::string>& inputs);
 
 /// The elastic constants of --material.
 /// @throws InvalidInput naming the option.
-ElasticChoices elastic_choices(const MaterialOptions& options);
+plane::ElasticChoices elastic_choices(const MaterialOptions& options);
 
 }  // namespace pcvt::cli

@@ -59,10 +59,10 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
 }
 
 /// The lattice. Puts the option's name in front of the message of a fault.
-Lattice make_lattice(const std::string& option, const std::string& text, const Vec2& a,
-                     const Vec2& b) {
+plane::Lattice make_lattice(const std::string& option, const std::string& text,
+                            const plane::Vec2& a, const plane::Vec2& b) {
     try {
-        Lattice lattice(a, b);
+        plane::Lattice lattice(a, b);
         reduce(lattice);
         return lattice;
     } catch (const InvalidInput& error) {
@@ -71,11 +71,11 @@ Lattice make_lattice(const std::string& option, const std::string& text, const V
 }
 
 /// The lattice with these coordinates of its period vectors, in the same way.
-SpaceLattice make_space_lattice(const std::string& option, const std::string& text,
-                                const std::vector<double>& numbers) {
+space::Lattice make_space_lattice(const std::string& option, const std::string& text,
+                                  const std::vector<double>& numbers) {
     const Eigen::Map<const Eigen::Matrix3d> periods(numbers.data());
     try {
-        SpaceLattice lattice(periods.col(0), periods.col(1), periods.col(2));
+        space::Lattice lattice(periods.col(0), periods.col(1), periods.col(2));
         reduce(lattice);
         return lattice;
     } catch (const InvalidInput& error) {
@@ -115,12 +115,12 @@ double positive_number(const std::string& option, const std::string& text) {
     return value;
 }
 
-Vec2 point(const std::string& option, const std::string& text) {
+plane::Vec2 point(const std::string& option, const std::string& text) {
     const std::vector<double> xy = numbers(option, text, 2, "X,Y");
     return {xy[0], xy[1]};
 }
 
-Lattice rectangle_lattice(const std::string& option, const std::string& text) {
+plane::Lattice rectangle_lattice(const std::string& option, const std::string& text) {
     const std::vector<double> sides = numbers(option, text, 2, "W,H, such as 1,1");
     if (!(sides[0] > 0) || !(sides[1] > 0)) {
         throw_bad_value(option, text, "a side is not above 0; give two positive lengths");
@@ -128,12 +128,12 @@ Lattice rectangle_lattice(const std::string& option, const std::string& text) {
     return make_lattice(option, text, {sides[0], 0}, {0, sides[1]});
 }
 
-Lattice vector_lattice(const std::string& option, const std::string& text) {
+plane::Lattice vector_lattice(const std::string& option, const std::string& text) {
     const std::vector<double> ab = numbers(option, text, 4, "AX,AY,BX,BY, such as 1,0,0.5,1");
     return make_lattice(option, text, {ab[0], ab[1]}, {ab[2], ab[3]});
 }
 
-SpaceLattice box_lattice(const std::string& option, const std::string& text) {
+space::Lattice box_lattice(const std::string& option, const std::string& text) {
     const std::vector<double> sides = numbers(option, text, 3, "W,H,D");
     for (const double side : sides) {
         if (!(side > 0)) throw_bad_value(option, text, "a side is not above 0; give W,H,D");
@@ -141,7 +141,7 @@ SpaceLattice box_lattice(const std::string& option, const std::string& text) {
     return make_space_lattice(option, text, {sides[0], 0, 0, 0, sides[1], 0, 0, 0, sides[2]});
 }
 
-SpaceLattice space_lattice(const std::string& option, const std::string& text) {
+space::Lattice space_lattice(const std::string& option, const std::string& text) {
     return make_space_lattice(option, text, numbers(option, text, 9, "AX,AY,AZ,BX,BY,BZ,CX,CY,CZ"));
 }
 
@@ -169,14 +169,14 @@ std::array<double, 2> coriolis_parameter(const std::string& option, const std::s
     return {values[0], has_beta ? values[1] : 0};
 }
 
-VoxelCounts voxel_counts(const std::string& option, const std::string& text) {
+plane::VoxelCounts voxel_counts(const std::string& option, const std::string& text) {
     const bool has_layers = std::count(text.begin(), text.end(), ',') == 2;
     const std::vector<double> counts = numbers(option, text, has_layers ? 3 : 2,
                                                "NX,NY or NX,NY,NZ, such as 256,256 or 256,256,16");
     for (std::size_t k = 0; k < counts.size(); ++k) {
-        const int least = k < 2 ? kLeastVoxels : 1;
+        const int least = k < 2 ? plane::kLeastVoxels : 1;
         if (counts[k] == std::floor(counts[k]) && counts[k] >= least &&
-            counts[k] <= kMostVoxelsOfARow) {
+            counts[k] <= plane::kMostVoxelsOfARow) {
             continue;
         }
         throw_bad_value(option, text,

@@ -9,9 +9,9 @@
 #include "io/bytes/nearest_word.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/lattice/lattice.hpp"
-#include "mesher/space/space_lattice.hpp"
-#include "mesher/voxels/voxel_grid.hpp"
+#include "mesher/plane/geometry/lattice.hpp"
+#include "mesher/plane/voxels/voxel_grid.hpp"
+#include "mesher/space/geometry/lattice.hpp"
 
 namespace pcvt::cli {
 
@@ -50,19 +50,19 @@ std::uint64_t seed_number(const std::string& option, const std::string& text);
 double positive_number(const std::string& option, const std::string& text);
 
 /// "X,Y", both finite.
-Vec2 point(const std::string& option, const std::string& text);
+plane::Vec2 point(const std::string& option, const std::string& text);
 
 /// "W,H", both above 0.
-Lattice rectangle_lattice(const std::string& option, const std::string& text);
+plane::Lattice rectangle_lattice(const std::string& option, const std::string& text);
 
 /// "AX,AY,BX,BY", two independent vectors.
-Lattice vector_lattice(const std::string& option, const std::string& text);
+plane::Lattice vector_lattice(const std::string& option, const std::string& text);
 
 /// "W,H,D", all above 0: a box.
-SpaceLattice box_lattice(const std::string& option, const std::string& text);
+space::Lattice box_lattice(const std::string& option, const std::string& text);
 
 /// "AX,AY,AZ,BX,BY,BZ,CX,CY,CZ", three independent vectors.
-SpaceLattice space_lattice(const std::string& option, const std::string& text);
+space::Lattice space_lattice(const std::string& option, const std::string& text);
 
 struct Repetition {
     int columns;
@@ -73,7 +73,7 @@ struct Repetition {
 std::array<double, 2> coriolis_parameter(const std::string& option, const std::string& text);
 
 /// "NX,NY" or "NX,NY,NZ", whole numbers, the first two at least kLeastVoxels.
-VoxelCounts voxel_counts(const std::string& option, const std::string& text);
+plane::VoxelCounts voxel_counts(const std::string& option, const std::string& text);
 
 /// "IxJ", whole numbers, at least 1.
 Repetition repetition(const std::string& option, const std::string& text);

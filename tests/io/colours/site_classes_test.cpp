@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "mesher/tile/build_tile.hpp"
+#include "mesher/plane/tile/build_tile.hpp"
 
 namespace pcvt {
 namespace {
@@ -15,14 +15,15 @@ using ::testing::Each;
 using ::testing::Ge;
 using ::testing::Le;
 
-Tile random_tile(const Lattice& lattice, int n, const TileOptions& options) {
-    return build_tile(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, n, 1))), options)
+plane::Tile random_tile(const plane::Lattice& lattice, int n, const plane::TileOptions& options) {
+    return build_tile(plane::PeriodicDelaunay(plane::Sites(lattice, uniform_points(lattice, n, 1))),
+                      options)
         .tile;
 }
 
 /// Calls visit(face, its edge) for each edge of each face.
 template <class Visit>
-void for_each_edge(const Tile& tile, const Visit& visit) {
+void for_each_edge(const plane::Tile& tile, const Visit& visit) {
     for (int f = 0; f < tile.n_faces(); ++f) {
         int previous = tile.faces[f].back();
         for (const int v : tile.faces[f]) visit(f, std::exchange(previous, v), v);
@@ -31,7 +32,7 @@ void for_each_edge(const Tile& tile, const Visit& visit) {
 
 /// Expects that faces of different sites, or groups of sites, with a common edge differ, inside and
 /// across the seam.
-void expect_neighbours_differ(const Tile& tile, const std::vector<int>& site_group = {}) {
+void expect_neighbours_differ(const plane::Tile& tile, const std::vector<int>& site_group = {}) {
     const std::vector<int> classes = site_classes(tile, site_group);
     const auto group = [&](int f) {
         return site_group.empty() ? tile.face_site[f] : site_group[tile.face_site[f]];
@@ -52,17 +53,18 @@ void expect_neighbours_differ(const Tile& tile, const std::vector<int>& site_gro
         const auto other = face_left_of.find({w, v});
         if (other != face_left_of.end()) expect(f, other->second);
     });
-    for (const EdgePair& pair : tile.edge_pairs) {
+    for (const plane::EdgePair& pair : tile.edge_pairs) {
         expect(face_left_of.at({pair.v0, pair.v1}), face_left_of.at({pair.w1, pair.w0}));
     }
 }
 
 TEST(SiteClasses, NeighboursDifferAcrossTheSeamAsWell) {
-    for (const Lattice& lattice : {Lattice::rectangle(1, 1), Lattice({1, 0}, {0.37, 0.81})}) {
+    for (const plane::Lattice& lattice :
+         {plane::Lattice::rectangle(1, 1), plane::Lattice({1, 0}, {0.37, 0.81})}) {
         for (const int n : {1, 2, 3, 4, 5, 6, 7, 8, 30, 200}) {
             expect_neighbours_differ(random_tile(lattice, n, {}));
-            expect_neighbours_differ(random_tile(lattice, n, {.outline = Outline::kBox}));
-            expect_neighbours_differ(random_tile(lattice, n, {.kind = MeshKind::kGrains}));
+            expect_neighbours_differ(random_tile(lattice, n, {.outline = plane::Outline::kBox}));
+            expect_neighbours_differ(random_tile(lattice, n, {.kind = plane::MeshKind::kGrains}));
             expect_neighbours_differ(random_tile(lattice, n, {.columns = 2, .rows = 3}));
         }
     }
@@ -70,17 +72,17 @@ TEST(SiteClasses, NeighboursDifferAcrossTheSeamAsWell) {
 
 /// Sites that a translation by a third of a period maps to each other are a group.
 TEST(SiteClasses, GroupsOfSitesHaveOneClassAndDifferFromTheirNeighbours) {
-    const Lattice lattice({1.5, 0}, {0.3, 0.8});
+    const plane::Lattice lattice({1.5, 0}, {0.3, 0.8});
     for (const int n : {1, 2, 3, 5, 8, 40}) {
-        const Points third = uniform_points(Lattice({0.5, 0}, {0.3, 0.8}), n, 1);
-        Points points(2, 3 * n);
+        const plane::Points third = uniform_points(plane::Lattice({0.5, 0}, {0.3, 0.8}), n, 1);
+        plane::Points points(2, 3 * n);
         std::vector<int> group;
         for (int s = 0; s < 3 * n; ++s) {
-            points.col(s) = third.col(s % n) + Vec2(0.5 * (s / n), 0);
+            points.col(s) = third.col(s % n) + plane::Vec2(0.5 * (s / n), 0);
             group.push_back(s % n);
         }
-        for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kGrains}) {
-            const PeriodicDelaunay delaunay(Sites(lattice, points));
+        for (const plane::MeshKind kind : {plane::MeshKind::kVoronoi, plane::MeshKind::kGrains}) {
+            const plane::PeriodicDelaunay delaunay(plane::Sites(lattice, points));
             expect_neighbours_differ(build_tile(delaunay, {.kind = kind}).tile, group);
             expect_neighbours_differ(build_tile(delaunay, {.kind = kind, .rows = 2}).tile, group);
         }
@@ -88,7 +90,8 @@ TEST(SiteClasses, GroupsOfSitesHaveOneClassAndDifferFromTheirNeighbours) {
 }
 
 TEST(SiteClasses, SitesOfATriangleDiffer) {
-    const Tile tile = random_tile(Lattice::rectangle(1, 1), 60, {.kind = MeshKind::kDelaunay});
+    const plane::Tile tile =
+        random_tile(plane::Lattice::rectangle(1, 1), 60, {.kind = plane::MeshKind::kDelaunay});
     const std::vector<int> classes = site_classes(tile);
     ASSERT_EQ(classes.size(), tile.points.size());
     for (int f = 0; f < tile.n_faces(); ++f) {
@@ -96,12 +99,14 @@ TEST(SiteClasses, SitesOfATriangleDiffer) {
         const std::set<int> of_face{classes[corners[0]], classes[corners[1]], classes[corners[2]]};
         EXPECT_EQ(of_face.size(), 3u);
     }
-    for (const VertexPair& pair : tile.vertex_pairs) EXPECT_EQ(classes[pair.v], classes[pair.w]);
+    for (const plane::VertexPair& pair : tile.vertex_pairs)
+        EXPECT_EQ(classes[pair.v], classes[pair.w]);
 }
 
 TEST(SiteClasses, EachClassHasAboutAsManySites) {
     std::map<int, int> n_sites;
-    for (const int k : site_classes(random_tile(Lattice::rectangle(1, 1), 700, {}))) ++n_sites[k];
+    for (const int k : site_classes(random_tile(plane::Lattice::rectangle(1, 1), 700, {})))
+        ++n_sites[k];
     for (int k = 0; k < kSiteClasses; ++k)
         EXPECT_THAT(n_sites[k], ::testing::AllOf(Ge(70), Le(130)));
 }

@@ -8,38 +8,40 @@
 
 #include "io/cutting/dxf_writer.hpp"
 #include "io/cutting/svg_cut_writer.hpp"
-#include "mesher/tile/build_tile.hpp"
+#include "mesher/plane/tile/build_tile.hpp"
 
 namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
 
-Tile tile(const Lattice& lattice, MeshKind kind, Outline outline) {
-    const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 25, 5)));
-    TileOptions options;
+plane::Tile tile(const plane::Lattice& lattice, plane::MeshKind kind, plane::Outline outline) {
+    const plane::PeriodicDelaunay delaunay(plane::Sites(lattice, uniform_points(lattice, 25, 5)));
+    plane::TileOptions options;
     options.kind = kind;
     options.outline = outline;
     return build_tile(delaunay, options).tile;
 }
 
-std::vector<Tile> tiles() {
-    const Lattice oblique({1, 0}, {0.37, 0.81});
-    return {tile(oblique, MeshKind::kVoronoi, Outline::kWhole),
-            tile(oblique, MeshKind::kVoronoi, Outline::kBox),
-            tile(oblique, MeshKind::kDelaunay, Outline::kWhole),
-            tile(oblique, MeshKind::kGrains, Outline::kWhole)};
+std::vector<plane::Tile> tiles() {
+    const plane::Lattice oblique({1, 0}, {0.37, 0.81});
+    return {tile(oblique, plane::MeshKind::kVoronoi, plane::Outline::kWhole),
+            tile(oblique, plane::MeshKind::kVoronoi, plane::Outline::kBox),
+            tile(oblique, plane::MeshKind::kDelaunay, plane::Outline::kWhole),
+            tile(oblique, plane::MeshKind::kGrains, plane::Outline::kWhole)};
 }
 
 using Ends = std::set<std::pair<double, double>>;
 
-Ends ends(const Vec2& from, const Vec2& to) { return {{from.x(), from.y()}, {to.x(), to.y()}}; }
+Ends ends(const plane::Vec2& from, const plane::Vec2& to) {
+    return {{from.x(), from.y()}, {to.x(), to.y()}};
+}
 
 /// A line of a file with its layer.
 struct FileLine {
     std::string layer;
-    Vec2 from;
-    Vec2 to;
+    plane::Vec2 from;
+    plane::Vec2 to;
 };
 
 /// Reads the LINE entities of a DXF, group by group.
@@ -52,7 +54,7 @@ std::vector<FileLine> dxf_lines(const std::string& text) {
     while (stream >> code && std::getline(stream >> std::ws, value)) {
         if (code == 0) {
             in_line = value == "LINE";
-            if (in_line) lines.push_back({"", Vec2::Zero(), Vec2::Zero()});
+            if (in_line) lines.push_back({"", plane::Vec2::Zero(), plane::Vec2::Zero()});
         }
         if (!in_line) continue;
         if (code == 8) lines.back().layer = value;
@@ -74,7 +76,7 @@ std::vector<FileLine> svg_lines(const std::string& text) {
         if (!line.starts_with("<path d=\"M")) continue;
         std::istringstream numbers(line.substr(10));
         char separator = 0;
-        FileLine found{layer, Vec2::Zero(), Vec2::Zero()};
+        FileLine found{layer, plane::Vec2::Zero(), plane::Vec2::Zero()};
         numbers >> found.from.x() >> found.from.y() >> separator >> found.to.x() >> found.to.y();
         EXPECT_EQ(separator, 'L');
         lines.push_back(found);
@@ -82,7 +84,7 @@ std::vector<FileLine> svg_lines(const std::string& text) {
     return lines;
 }
 
-void expect_each_edge_once(const std::vector<FileLine>& lines, const Tile& tile) {
+void expect_each_edge_once(const std::vector<FileLine>& lines, const plane::Tile& tile) {
     std::set<Ends> distinct;
     std::size_t n_seam = 0;
     for (const FileLine& line : lines) {
@@ -96,22 +98,22 @@ void expect_each_edge_once(const std::vector<FileLine>& lines, const Tile& tile)
 }
 
 TEST(CutLines, HaveEachEdgeOnce) {
-    for (const Tile& tile : tiles()) {
+    for (const plane::Tile& tile : tiles()) {
         expect_each_edge_once(dxf_lines(encode_dxf(tile, {}, "t.dxf")[0].bytes), tile);
         expect_each_edge_once(svg_lines(encode_svg_cut(tile, 200, "t.svg")[0].bytes), tile);
     }
 }
 
 TEST(CutLines, HaveTheWidthInMillimetres) {
-    for (const Tile& tile : tiles()) {
+    for (const plane::Tile& tile : tiles()) {
         const CutLines lines = cut_lines(tile, 300);
-        Vec2 low = lines.seam.front().from;
-        Vec2 high = low;
+        plane::Vec2 low = lines.seam.front().from;
+        plane::Vec2 high = low;
         for (const CutLine& line : lines.seam) {
             low = low.cwiseMin(line.from).cwiseMin(line.to);
             high = high.cwiseMax(line.from).cwiseMax(line.to);
         }
-        EXPECT_EQ(low, Vec2::Zero());
+        EXPECT_EQ(low, plane::Vec2::Zero());
         EXPECT_EQ(high, lines.size);
         EXPECT_NEAR(high.x(), 300, 1e-9);
         const std::string svg = encode_svg_cut(tile, 300, "t.svg")[0].bytes;
@@ -122,7 +124,8 @@ TEST(CutLines, HaveTheWidthInMillimetres) {
 }
 
 TEST(CutLines, KeepTheUnitWithoutAWidth) {
-    const Tile box = tile(Lattice::rectangle(3, 2), MeshKind::kVoronoi, Outline::kBox);
+    const plane::Tile box =
+        tile(plane::Lattice::rectangle(3, 2), plane::MeshKind::kVoronoi, plane::Outline::kBox);
     double seam = 0;
     for (const FileLine& line : dxf_lines(encode_dxf(box, {}, "t.dxf")[0].bytes)) {
         if (line.layer == "SEAM") seam += (line.to - line.from).norm();

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "mesher/base/error.hpp"
-#include "mesher/mesh/outline.hpp"
-#include "mesher/mesh/voronoi.hpp"
-#include "mesher/tile/tile_builder.hpp"
+#include "mesher/plane/mesh/outline.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
+#include "mesher/plane/tile/tile_builder.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/walled_tiles.hpp"
@@ -16,13 +16,14 @@ namespace pcvt {
 namespace {
 
 /// Whole-cell tiles: their ragged boundaries have two to four translations.
-std::vector<Tile> tiles() {
-    std::vector<Tile> all;
+std::vector<plane::Tile> tiles() {
+    std::vector<plane::Tile> all;
     for (const auto& [name, lattice] : testing::lattices()) {
         for (const int n : {1, 2, 3, 17}) {
-            const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 5)));
-            for (const PeriodicMesh& mesh : {cell_mesh(delaunay), triangle_mesh(delaunay)}) {
-                all.push_back(make_tile(mesh, whole_outline(mesh, Vec2(0, 0))));
+            const plane::PeriodicDelaunay delaunay(
+                plane::Sites(lattice, uniform_points(lattice, n, 5)));
+            for (const plane::PeriodicMesh& mesh : {cell_mesh(delaunay), triangle_mesh(delaunay)}) {
+                all.push_back(make_tile(mesh, whole_outline(mesh, plane::Vec2(0, 0))));
             }
         }
     }
@@ -31,17 +32,17 @@ std::vector<Tile> tiles() {
 
 // Law (1)
 TEST(SeamSegments, APartnerRunsTheOtherWayByTheOppositeOffset) {
-    for (const Tile& tile : tiles()) {
+    for (const plane::Tile& tile : tiles()) {
         const auto runs = seam_segments(tile, {});
         for (std::size_t r = 0; r < runs.size(); ++r) {
             const SeamSegment& partner = runs.at(runs[r].partner);
             EXPECT_EQ(partner.partner, static_cast<int>(r));
             EXPECT_EQ(partner.offset, -runs[r].offset);
             ASSERT_EQ(partner.vertices.size(), runs[r].vertices.size());
-            const Vec2 translation = tile.lattice.translation(runs[r].offset);
+            const plane::Vec2 translation = tile.lattice.translation(runs[r].offset);
             for (std::size_t k = 0; k < runs[r].vertices.size(); ++k) {
-                const Vec2& from = tile.points[runs[r].vertices[k]];
-                const Vec2& to = tile.points[*(partner.vertices.rbegin() + k)];
+                const plane::Vec2& from = tile.points[runs[r].vertices[k]];
+                const plane::Vec2& to = tile.points[*(partner.vertices.rbegin() + k)];
                 EXPECT_LT((from + translation - to).norm(), 1e-12 * (1 + to.norm()));
             }
         }
@@ -50,7 +51,7 @@ TEST(SeamSegments, APartnerRunsTheOtherWayByTheOppositeOffset) {
 
 // Law (2)
 TEST(SeamSegments, TheyAreTheWholeLoopInStretchesAsLongAsPossible) {
-    for (const Tile& tile : tiles()) {
+    for (const plane::Tile& tile : tiles()) {
         const auto runs = seam_segments(tile, {});
         std::size_t n_edges = 0;
         for (std::size_t r = 0; r < runs.size(); ++r) {
@@ -65,31 +66,33 @@ TEST(SeamSegments, TheyAreTheWholeLoopInStretchesAsLongAsPossible) {
 
 // Law (3)
 TEST(SeamSegments, OrbitsOfEndsAreEnds) {
-    for (const Tile& tile : tiles()) {
+    for (const plane::Tile& tile : tiles()) {
         std::set<int> ends;
         for (const SeamSegment& run : seam_segments(tile, {})) ends.insert(run.vertices.front());
-        for (const VertexPair& pair : tile.vertex_pairs) {
+        for (const plane::VertexPair& pair : tile.vertex_pairs) {
             EXPECT_EQ(ends.count(pair.v), ends.count(pair.w));
         }
     }
 }
 
 TEST(SeamSegments, AParallelogramHasFourWithTheTileOnTheirLeft) {
-    const Tile tile = testing::triangle_grid_tile(Lattice({1, 0}, {0.37, 0.81}), 3, 2);
+    const plane::Tile tile =
+        testing::triangle_grid_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 3, 2);
     const auto runs = seam_segments(tile, {});
     ASSERT_EQ(runs.size(), 4U);
     EXPECT_THAT(runs[0].vertices, ::testing::ElementsAre(0, 1, 2, 3));
-    EXPECT_EQ(runs[0].offset, (Offset{0, 1}));
+    EXPECT_EQ(runs[0].offset, (plane::Offset{0, 1}));
     EXPECT_EQ(seam_name(runs[1].offset), "seam_-1_0");
     EXPECT_EQ(runs[1].partner, 3);
 }
 
 TEST(SeamSegments, StretchesOnAWallLieOnItAndHaveNoPartner) {
-    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
-        for (const Tile& tile : testing::walled_tiles(walls)) {
-            const MidsideNodes middles = tile.order == 2 ? midside_nodes(tile) : MidsideNodes{};
+    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
+        for (const plane::Tile& tile : testing::walled_tiles(walls)) {
+            const plane::MidsideNodes middles =
+                tile.order == 2 ? midside_nodes(tile) : plane::MidsideNodes{};
             const auto runs = seam_segments(tile, middles);
-            std::set<WallEdge> edges;
+            std::set<plane::WallEdge> edges;
             for (std::size_t r = 0; r < runs.size(); ++r) {
                 const SeamSegment& next = runs[(r + 1) % runs.size()];
                 EXPECT_TRUE(runs[r].wall != next.wall || runs[r].offset != next.offset);
@@ -97,9 +100,9 @@ TEST(SeamSegments, StretchesOnAWallLieOnItAndHaveNoPartner) {
                     EXPECT_EQ(runs.at(runs[r].partner).partner, static_cast<int>(r));
                     continue;
                 }
-                EXPECT_EQ(runs[r].offset, Offset{});
+                EXPECT_EQ(runs[r].offset, plane::Offset{});
                 EXPECT_EQ(runs[r].partner, -1);
-                const WallSide side = runs[r].wall->side();
+                const plane::WallSide side = runs[r].wall->side();
                 const int axis = wall_side_row(side).axis;
                 for (std::size_t k = 0; k + 1 < runs[r].vertices.size(); ++k) {
                     edges.insert({*runs[r].wall, runs[r].vertices[k], runs[r].vertices[k + 1]});
@@ -117,18 +120,18 @@ TEST(SeamSegments, StretchesOnAWallLieOnItAndHaveNoPartner) {
 }
 
 TEST(SeamSegments, ABoxHasFourWalls) {
-    for (const Tile& tile : testing::walled_tiles(Walls::kXY)) {
-        std::multiset<WallSide> sides;
+    for (const plane::Tile& tile : testing::walled_tiles(plane::Walls::kXY)) {
+        std::multiset<plane::WallSide> sides;
         for (const SeamSegment& run : seam_segments(tile, {})) {
             sides.insert(run.wall.value().side());
         }
-        EXPECT_THAT(sides, ::testing::ElementsAre(WallSide::kLeft, WallSide::kRight,
-                                                  WallSide::kBottom, WallSide::kTop));
+        EXPECT_THAT(sides, ::testing::ElementsAre(plane::WallSide::kLeft, plane::WallSide::kRight,
+                                                  plane::WallSide::kBottom, plane::WallSide::kTop));
     }
 }
 
 TEST(SeamSegments, ABoundaryThatIsNoLoopIsOurFault) {
-    Tile tile = testing::grid_tile(Lattice::rectangle(1, 1), 2, 2);
+    plane::Tile tile = testing::grid_tile(plane::Lattice::rectangle(1, 1), 2, 2);
     tile.edge_pairs.pop_back();
     EXPECT_THROW(seam_segments(tile, {}), InternalError);
     tile.edge_pairs.clear();

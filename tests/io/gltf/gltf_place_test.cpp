@@ -20,16 +20,16 @@ using ::testing::HasSubstr;
 using testing::kOblique;
 
 /// A grid whose lower left corner lies at whole periods from 0.
-Tile distant_grid(const Lattice& lattice, double i, double j) {
+plane::Tile distant_grid(const plane::Lattice& lattice, double i, double j) {
     return moved_by(testing::grid_tile(lattice, 5, 6), lattice.to_plane({i, j}));
 }
 
-std::vector<EncodedFile> encoded(const Tile& tile) { return encode_glb(tile, {}, "t.glb"); }
+std::vector<EncodedFile> encoded(const plane::Tile& tile) { return encode_glb(tile, {}, "t.glb"); }
 
 /// The fault of the file of a distant grid that states its sites, with the entry of its JSON
 /// replaced.
 std::string distant_fault(const std::string& pointer, const nlohmann::json& value) {
-    Tile tile = distant_grid(kOblique, 20, -30);
+    plane::Tile tile = distant_grid(kOblique, 20, -30);
     tile.columns = tile.rows = 1;
     Glb parts = testing::split_glb(encoded(tile).front().bytes);
     parts.json[nlohmann::json::json_pointer(pointer)] = value;
@@ -43,34 +43,34 @@ std::string distant_fault(const std::string& pointer, const nlohmann::json& valu
 
 TEST(GltfPlace, NodesOfDistantTilesAreMovedByWholePeriods) {
     for (const auto& [i, j] : {std::pair(20.0, -30.0), {4e5, 0.0}, {0.0, 1e9}, {-9000.0, 9000.0}}) {
-        const Tile tile = distant_grid(kOblique, i, j);
+        const plane::Tile tile = distant_grid(kOblique, i, j);
         const std::vector<EncodedFile> files = encoded(tile);
         const TileFile file = decode_gltf(files, std::nullopt);
-        const Vec2 periods = kOblique.to_lattice(file.translation);
+        const plane::Vec2 periods = kOblique.to_lattice(file.translation);
         EXPECT_NEAR(periods.x(), i, 1);
         EXPECT_NEAR(periods.y(), j, 1);
         double largest = 0;
         for (int v = 0; v < tile.n_vertices(); ++v) {
-            const Vec2& local = file.tile.points[v];
+            const plane::Vec2& local = file.tile.points[v];
             largest = std::max(largest, local.cwiseAbs().maxCoeff());
-            EXPECT_EQ(local,
-                      Vec2((tile.points[v] - file.translation).cast<float>().cast<double>()));
+            EXPECT_EQ(local, plane::Vec2(
+                                 (tile.points[v] - file.translation).cast<float>().cast<double>()));
         }
         EXPECT_LT(largest, 3);
     }
 }
 
 TEST(GltfPlace, NearTilesStayWhereTheyAre) {
-    const Tile tile = distant_grid(kOblique, 7, -7);
+    const plane::Tile tile = distant_grid(kOblique, 7, -7);
     const Glb parts = testing::split_glb(encoded(tile).front().bytes);
     EXPECT_FALSE(parts.json["nodes"][0].contains("translation"));
-    EXPECT_EQ(decode_gltf(encoded(tile), std::nullopt).translation, Vec2::Zero());
+    EXPECT_EQ(decode_gltf(encoded(tile), std::nullopt).translation, plane::Vec2::Zero());
 }
 
 TEST(GltfPlace, DistantTilesAreProved) {
     const TileFormat& format = *find_tile_format("t.glb");
-    for (const Lattice& lattice : {kOblique, Lattice({1, 0}, {20.37, 0.81})}) {
-        const Tile tile = distant_grid(lattice, 1e4, 3e6);
+    for (const plane::Lattice& lattice : {kOblique, plane::Lattice({1, 0}, {20.37, 0.81})}) {
+        const plane::Tile tile = distant_grid(lattice, 1e4, 3e6);
         const std::vector<EncodedFile> files = encoded(tile);
         EXPECT_NO_THROW(prove_file(format, files, decode_gltf(files, std::nullopt)));
     }

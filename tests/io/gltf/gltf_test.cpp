@@ -28,11 +28,11 @@ using testing::split_glb;
 using ::testing::StartsWith;
 using testing::triangle_grid_tile;
 
-std::string glb(const Tile& tile, GltfNodes nodes = GltfNodes::kBySize) {
+std::string glb(const plane::Tile& tile, GltfNodes nodes = GltfNodes::kBySize) {
     return encode_glb(tile, {.gltf_nodes = nodes}, "t.glb").at(0).bytes;
 }
 
-TileFile read(const std::string& bytes, const std::optional<Lattice>& lattice = {}) {
+TileFile read(const std::string& bytes, const std::optional<plane::Lattice>& lattice = {}) {
     return decode_gltf({{"t.glb", bytes}}, lattice);
 }
 
@@ -47,7 +47,7 @@ std::string fault_of(const std::string& bytes) {
 
 /// Tiles of all kinds; the cells with one node each and with one node for all. Each tile has the
 /// same number of faces at every site.
-std::vector<Tile> tiles_of(const Lattice& lattice) {
+std::vector<plane::Tile> tiles_of(const plane::Lattice& lattice) {
     return {grid_tile(lattice, 1, 1),          grid_tile(lattice, 5, 6),
             grid_tile(lattice, 41, 50),        triangle_grid_tile(lattice, 1, 1),
             triangle_grid_tile(lattice, 5, 6), grain_grid_tile(lattice, 1, 1),
@@ -71,11 +71,11 @@ void survive(const std::string& bytes) {
 }
 
 TEST(Gltf, ReadsBackPointsLatticeAndPairs) {
-    for (const Lattice& lattice : awkward_lattices()) {
-        for (const Tile& tile : tiles_of(lattice)) {
+    for (const plane::Lattice& lattice : awkward_lattices()) {
+        for (const plane::Tile& tile : tiles_of(lattice)) {
             const TileFile file = read(glb(tile));
             EXPECT_EQ(file.tile.kind, tile.kind);
-            EXPECT_EQ(file.precision, Precision::kSingle);
+            EXPECT_EQ(file.precision, plane::Precision::kSingle);
             EXPECT_EQ(file.tile.lattice.a(), lattice.a());
             EXPECT_EQ(file.tile.lattice.b(), lattice.b());
             EXPECT_TRUE(file.has_vertex_pairs);
@@ -91,16 +91,16 @@ TEST(Gltf, ReadsBackPointsLatticeAndPairs) {
 
 TEST(Gltf, TrianglesOfACellKeepItsSiteAndItsArea) {
     for (const GltfNodes nodes : {GltfNodes::kCells, GltfNodes::kOne}) {
-        for (const Tile& tile : {grid_tile(kOblique, 5, 6), grid_tile(kOblique, 41, 50),
-                                 grain_grid_tile(kOblique, 5, 6)}) {
-            const Tile back = read(glb(tile, nodes)).tile;
+        for (const plane::Tile& tile : {grid_tile(kOblique, 5, 6), grid_tile(kOblique, 41, 50),
+                                        grain_grid_tile(kOblique, 5, 6)}) {
+            const plane::Tile back = read(glb(tile, nodes)).tile;
             std::map<SiteId, double> area;
             for (int f = 0; f < back.n_faces(); ++f) {
                 const auto corner = [&](int k) {
                     return back.points[back.faces.corners[3 * f + k]];
                 };
-                const Vec2 u = corner(1) - corner(0);
-                const Vec2 v = corner(2) - corner(0);
+                const plane::Vec2 u = corner(1) - corner(0);
+                const plane::Vec2 v = corner(2) - corner(0);
                 area[back.face_site[f]] += (u.x() * v.y() - u.y() * v.x()) / 2;
             }
             const std::set<SiteId> sites(tile.face_site.begin(), tile.face_site.end());
@@ -112,8 +112,8 @@ TEST(Gltf, TrianglesOfACellKeepItsSiteAndItsArea) {
 }
 
 TEST(Gltf, TriangleTilesKeepTheirFacesAndSites) {
-    const Tile tile = triangle_grid_tile(kOblique, 5, 6);
-    const Tile back = read(glb(tile)).tile;
+    const plane::Tile tile = triangle_grid_tile(kOblique, 5, 6);
+    const plane::Tile back = read(glb(tile)).tile;
     EXPECT_EQ(back.faces.corners, tile.faces.corners);
     EXPECT_EQ(back.faces.begin, tile.faces.begin);
     EXPECT_EQ(back.vertex_site, tile.vertex_site);
@@ -122,8 +122,9 @@ TEST(Gltf, TriangleTilesKeepTheirFacesAndSites) {
 
 TEST(Gltf, AllTrianglesShareTheVerticesOfTheTile) {
     for (const GltfNodes nodes : {GltfNodes::kCells, GltfNodes::kOne}) {
-        for (const Tile& tile : {grid_tile(kOblique, 5, 6), grain_grid_tile(kOblique, 5, 6)}) {
-            const Tile back = read(glb(tile, nodes)).tile;
+        for (const plane::Tile& tile :
+             {grid_tile(kOblique, 5, 6), grain_grid_tile(kOblique, 5, 6)}) {
+            const plane::Tile back = read(glb(tile, nodes)).tile;
             EXPECT_EQ(back.n_vertices(), tile.n_vertices());
             EXPECT_TRUE(back.copies.empty());
         }
@@ -131,11 +132,11 @@ TEST(Gltf, AllTrianglesShareTheVerticesOfTheTile) {
 }
 
 TEST(Gltf, ReadsAsATileOnEveryLattice) {
-    for (const Lattice& lattice : awkward_lattices()) {
-        for (const Tile& tile : tiles_of(lattice)) {
+    for (const plane::Lattice& lattice : awkward_lattices()) {
+        for (const plane::Tile& tile : tiles_of(lattice)) {
             for (const GltfNodes nodes : {GltfNodes::kCells, GltfNodes::kOne}) {
                 const TileFile file = read(glb(tile, nodes));
-                const TileProof proof = prove_tile(file.tile, file.precision);
+                const plane::TileProof proof = prove_tile(file.tile, file.precision);
                 EXPECT_EQ(proof.n_vertices, tile.n_vertices());
                 EXPECT_NO_THROW(compare_vertex_pairs(file.tile, proof));
             }
@@ -151,7 +152,7 @@ void append_bytes(std::string& bytes, const std::vector<Number>& numbers) {
 
 /// Returns a grid of parallelograms in which the first cell at a vertex keeps it and every other
 /// cell has a copy; sites are in _CELL_ID.
-std::string unwelded(const Tile& tile) {
+std::string unwelded(const plane::Tile& tile) {
     std::vector<float> points;
     std::vector<float> sites(tile.points.size(), -1);
     std::vector<std::uint32_t> indices;
@@ -205,16 +206,16 @@ std::string unwelded(const Tile& tile) {
 }
 
 TEST(GltfReader, CopiesOfVerticesDoNotChangeTheProof) {
-    const Tile tile = grid_tile(kOblique, 7, 5);
+    const plane::Tile tile = grid_tile(kOblique, 7, 5);
     TileFile file = read(unwelded(tile));
-    EXPECT_EQ(file.tile.kind, MeshKind::kVoronoi);
+    EXPECT_EQ(file.tile.kind, plane::MeshKind::kVoronoi);
     ASSERT_EQ(file.tile.n_vertices(), 4 * 35);
     ASSERT_EQ(file.tile.copies.size(), file.tile.points.size() - tile.points.size());
-    const TileProof stated = prove_tile(file.tile, file.precision);
+    const plane::TileProof stated = prove_tile(file.tile, file.precision);
     EXPECT_EQ(stated.n_vertices, tile.n_vertices());
     EXPECT_NO_THROW(compare_vertex_pairs(file.tile, stated));
     file.tile.copies.clear();
-    const TileProof found = prove_tile(file.tile, file.precision);
+    const plane::TileProof found = prove_tile(file.tile, file.precision);
     EXPECT_EQ(stated.first_copy, found.first_copy);
     EXPECT_EQ(stated.n_merged, found.n_merged);
     EXPECT_TRUE(stated.vertex_pairs == found.vertex_pairs);
@@ -222,7 +223,7 @@ TEST(GltfReader, CopiesOfVerticesDoNotChangeTheProof) {
 }
 
 TEST(Gltf, TextAndBinaryHoldTheSameTile) {
-    for (const Tile& tile : tiles_of(kOblique)) {
+    for (const plane::Tile& tile : tiles_of(kOblique)) {
         const std::string text = encode_gltf(tile, {}, "t.gltf").at(0).bytes;
         EXPECT_THAT(text, StartsWith("{"));
         testing::expect_same_tile(read(text).tile, read(glb(tile)).tile);
@@ -230,7 +231,7 @@ TEST(Gltf, TextAndBinaryHoldTheSameTile) {
 }
 
 TEST(Gltf, BoundsMatchTheStoredFloats) {
-    for (const Tile& tile : tiles_of(Lattice({1e6 / 3, 1e5 / 7}, {-1e5, 1e6 / 9}))) {
+    for (const plane::Tile& tile : tiles_of(plane::Lattice({1e6 / 3, 1e5 / 7}, {-1e5, 1e6 / 9}))) {
         const Glb file = split_glb(glb(tile));
         for (const auto& mesh : file.json["meshes"]) {
             const std::size_t id = mesh["primitives"][0]["attributes"]["POSITION"];
@@ -263,13 +264,13 @@ TEST(Gltf, FewCellsHaveANodeAndAMaterialEach) {
 }
 
 TEST(Gltf, ManyCellsAndGrainsAreOneNodeWithAPrimitiveForEachColour) {
-    for (const Tile& tile : {grid_tile(kOblique, 41, 50), grain_grid_tile(kOblique, 5, 6)}) {
+    for (const plane::Tile& tile : {grid_tile(kOblique, 41, 50), grain_grid_tile(kOblique, 5, 6)}) {
         const Glb file = split_glb(glb(tile));
         ASSERT_EQ(file.json["nodes"].size(), 3u);
         EXPECT_EQ(file.json["nodes"][1]["name"], "cells");
         const auto& primitives = file.json["meshes"][0]["primitives"];
         ASSERT_EQ(primitives.size(), 1u);
-        const bool grains = tile.kind == MeshKind::kGrains;
+        const bool grains = tile.kind == plane::MeshKind::kGrains;
         EXPECT_EQ(file.json["materials"][0]["name"], grains ? "sides_3" : "sides_4");
         EXPECT_EQ(primitives[0]["material"], 0);
         EXPECT_FALSE(primitives[0]["attributes"].contains("COLOR_0"));
@@ -289,8 +290,8 @@ TEST(Gltf, NodesForCellsAreMadeOnRequest) {
 }
 
 TEST(Gltf, TextureCoordinatesPointDownAndDifferByTheOffsetOfPartners) {
-    for (const Lattice& lattice : awkward_lattices()) {
-        for (const Tile& tile : tiles_of(lattice)) {
+    for (const plane::Lattice& lattice : awkward_lattices()) {
+        for (const plane::Tile& tile : tiles_of(lattice)) {
             const Glb file = split_glb(glb(tile));
             for (const auto& mesh : file.json["meshes"]) {
                 const auto& attributes = mesh["primitives"][0]["attributes"];
@@ -305,7 +306,7 @@ TEST(Gltf, TextureCoordinatesPointDownAndDifferByTheOffsetOfPartners) {
                 EXPECT_EQ(uv[2 * w + 1] - uv[2 * v + 1], static_cast<float>(-offset.j));
             }
             for (int v = 0; v < tile.n_vertices(); ++v) {
-                const Vec2 u = lattice.to_lattice(tile.points[v]);
+                const plane::Vec2 u = lattice.to_lattice(tile.points[v]);
                 EXPECT_NEAR(uv[2 * v], u.x(), 1e-6);
                 EXPECT_NEAR(uv[2 * v + 1], 1 - u.y(), 1e-6);
             }
@@ -314,7 +315,7 @@ TEST(Gltf, TextureCoordinatesPointDownAndDifferByTheOffsetOfPartners) {
 }
 
 TEST(Gltf, OutlinesLieAboveTheSurface) {
-    const Glb file = split_glb(glb(grid_tile(Lattice::rectangle(20, 1), 5, 6)));
+    const Glb file = split_glb(glb(grid_tile(plane::Lattice::rectangle(20, 1), 5, 6)));
     const auto& primitive = file.json["meshes"].back()["primitives"][0];
     EXPECT_EQ(primitive["mode"], 1);
     const auto& accessor = file.json["accessors"][primitive["attributes"]["POSITION"].get<int>()];
@@ -328,11 +329,12 @@ TEST(Gltf, PiecesOfOneCellKeepTheEdgeBetweenThem) {
     // The square cell of a single site, cut along a diagonal. Fans begin at the first corners.
     for (const std::vector<int>& corners :
          {std::vector<int>{0, 1, 2, 0, 2, 3}, {0, 2, 3, 0, 1, 2}, {1, 2, 3, 1, 3, 0}}) {
-        Tile tile{.lattice = Lattice({1, 0}, {0, 1}), .kind = MeshKind::kVoronoi};
-        tile.points = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+        plane::Tile tile{.lattice = plane::Lattice({1, 0}, {0, 1}),
+                         .kind = plane::MeshKind::kVoronoi};
+        tile.points = {plane::Vec2(0, 0), plane::Vec2(1, 0), plane::Vec2(1, 1), plane::Vec2(0, 1)};
         tile.face_site = {0, 0};
         tile.columns = tile.rows = 1;
-        tile.site_positions = {Vec2(0.5, 0.5)};
+        tile.site_positions = {plane::Vec2(0.5, 0.5)};
         tile.faces.add(std::span(corners).first(3));
         tile.faces.add(std::span(corners).last(3));
         for (const GltfNodes nodes : {GltfNodes::kCells, GltfNodes::kOne}) {
@@ -342,7 +344,7 @@ TEST(Gltf, PiecesOfOneCellKeepTheEdgeBetweenThem) {
 }
 
 TEST(Gltf, ViewsAreAlignedAndHaveATarget) {
-    for (const Tile& tile : tiles_of(kOblique)) {
+    for (const plane::Tile& tile : tiles_of(kOblique)) {
         const Glb file = split_glb(glb(tile));
         for (const auto& view : file.json["bufferViews"]) {
             EXPECT_EQ(view.value("byteOffset", 0) % 4, 0);
@@ -352,16 +354,16 @@ TEST(Gltf, ViewsAreAlignedAndHaveATarget) {
 }
 
 TEST(Gltf, TheSameTileGivesTheSameBytes) {
-    for (const Tile& tile : tiles_of(kOblique)) EXPECT_EQ(glb(tile), glb(tile));
+    for (const plane::Tile& tile : tiles_of(kOblique)) EXPECT_EQ(glb(tile), glb(tile));
 }
 
 TEST(Gltf, RefusesTilesThatFloat32CannotHold) {
-    EXPECT_THROW(glb(grid_tile(Lattice::rectangle(1e60, 1e60), 2, 2)), CoarsePrecision);
-    EXPECT_THROW(glb(grid_tile(Lattice::rectangle(1e-60, 1e-60), 2, 2)), CoarsePrecision);
+    EXPECT_THROW(glb(grid_tile(plane::Lattice::rectangle(1e60, 1e60), 2, 2)), CoarsePrecision);
+    EXPECT_THROW(glb(grid_tile(plane::Lattice::rectangle(1e-60, 1e-60), 2, 2)), CoarsePrecision);
 }
 
 TEST(Gltf, SitesBeyondFloat32ExceedALimit) {
-    Tile tile = grid_tile(kOblique, 1, 1);
+    plane::Tile tile = grid_tile(kOblique, 1, 1);
     tile.face_site[0] = (1 << 24) - 1;
     EXPECT_NO_THROW(glb(tile));
     tile.face_site[0] = 1 << 24;
@@ -461,7 +463,8 @@ TEST(GltfReader, SurvivesEveryTruncation) {
 
 TEST(GltfReader, SurvivesMutatedFiles) {
     std::mt19937_64 random(7);
-    for (const Tile& tile : {grid_tile(kOblique, 1, 2), triangle_grid_tile(kOblique, 2, 1)}) {
+    for (const plane::Tile& tile :
+         {grid_tile(kOblique, 1, 2), triangle_grid_tile(kOblique, 2, 1)}) {
         const std::string text = encode_gltf(tile, {}, "t").at(0).bytes;
         const Glb parts = split_glb(glb(tile));
         const std::string json = parts.json.dump();

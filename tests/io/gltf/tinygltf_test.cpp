@@ -30,7 +30,7 @@ tinygltf::Model loaded(const EncodedFile& file, bool is_binary) {
 }
 
 /// Loads both containers, which must hold one model.
-void expect_model(const Tile& tile, std::size_t n_nodes) {
+void expect_model(const plane::Tile& tile, std::size_t n_nodes) {
     const tinygltf::Model text = loaded(encode_gltf(tile, {}, "t.gltf").at(0), false);
     tinygltf::Model binary = loaded(encode_glb(tile, {}, "t.glb").at(0), true);
     ASSERT_EQ(text.buffers.size(), 1U);

@@ -30,7 +30,7 @@ constexpr const char* kOneObjCell =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
     "f 1 2 3 4\n";
 
-TileFile read_obj(const std::string& text, const std::optional<Lattice>& lattice = {}) {
+TileFile read_obj(const std::string& text, const std::optional<plane::Lattice>& lattice = {}) {
     return decode_obj({{"t.obj", text}}, lattice);
 }
 
@@ -54,17 +54,17 @@ std::string with(const std::string& piece, const std::string& other) {
 }
 
 /// A row of cells with 5, 3 and 4 corners: not a tile, but a writer must sort its faces.
-Tile cells_to_be_sorted() {
+plane::Tile cells_to_be_sorted() {
     return {.lattice = kSquare,
-            .kind = MeshKind::kVoronoi,
+            .kind = plane::MeshKind::kVoronoi,
             .points = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {1, 1}, {0.5, 1.5}, {0, 1}},
             .faces = {.begin = {0, 5, 8, 12}, .corners = {0, 1, 6, 7, 8, 1, 2, 6, 2, 3, 4, 5}},
             .face_site = {7, 8, 9}};
 }
 
 TEST(Obj, TilesReadBackExactlyWithTheirSeam) {
-    for (const Lattice& lattice : testing::awkward_lattices()) {
-        for (const Tile& tile :
+    for (const plane::Lattice& lattice : testing::awkward_lattices()) {
+        for (const plane::Tile& tile :
              {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
               testing::triangle_grid_tile(lattice, 2, 5),
               testing::grain_grid_tile(lattice, 2, 5)}) {
@@ -72,7 +72,7 @@ TEST(Obj, TilesReadBackExactlyWithTheirSeam) {
             const TileFile file = decode_obj(files, std::nullopt);
             testing::expect_same_tile(file.tile, tile);
             EXPECT_TRUE(file.has_vertex_pairs && file.has_edge_pairs);
-            EXPECT_EQ(file.precision, Precision::kDouble);
+            EXPECT_EQ(file.precision, plane::Precision::kDouble);
             testing::expect_same_tile(decode_obj({files[0]}, std::nullopt).tile, tile);
         }
     }
@@ -101,27 +101,27 @@ TEST(Obj, FacesAreGroupedByTheirNumberOfSides) {
 }
 
 /// Returns the numbers of each line of `text` that begins with `word`.
-std::vector<Vec2> lines_of(const std::string& text, const std::string& word) {
-    std::vector<Vec2> numbers;
+std::vector<plane::Vec2> lines_of(const std::string& text, const std::string& word) {
+    std::vector<plane::Vec2> numbers;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
         std::string first;
-        Vec2 pair;
+        plane::Vec2 pair;
         if (words >> first >> pair.x() >> pair.y() && first == word) numbers.push_back(pair);
     }
     return numbers;
 }
 
 TEST(Obj, TextureCoordinatesOfPartnersDifferByTheOffset) {
-    for (const Lattice& lattice : testing::awkward_lattices()) {
-        for (const Tile& tile :
+    for (const plane::Lattice& lattice : testing::awkward_lattices()) {
+        for (const plane::Tile& tile :
              {testing::grid_tile(lattice, 7, 5), testing::triangle_grid_tile(lattice, 3, 5)}) {
             const std::string text = encode_obj(tile, {}, "t.obj")[0].bytes;
-            const std::vector<Vec2> uv = lines_of(text, "vt");
+            const std::vector<plane::Vec2> uv = lines_of(text, "vt");
             ASSERT_EQ(uv.size(), tile.points.size());
-            for (const VertexPair& pair : tile.vertex_pairs) {
-                EXPECT_EQ(uv[pair.w] - uv[pair.v], Vec2(pair.offset.i, pair.offset.j));
+            for (const plane::VertexPair& pair : tile.vertex_pairs) {
+                EXPECT_EQ(uv[pair.w] - uv[pair.v], plane::Vec2(pair.offset.i, pair.offset.j));
             }
             for (int v = 0; v < tile.n_vertices(); ++v) {
                 EXPECT_LT((uv[v] - lattice.to_lattice(tile.points[v])).norm(), 1e-6);
@@ -142,16 +142,17 @@ TEST(Obj, PlainObjOfOtherProgramsIsRead) {
         "\xEF\xBB\xBF# other\r\nmtllib a b.mtl\r\no tile\r\nvn 0 0 1\r\nvt 0 0\r\n"
         "v 0 0 -0.0 1 0.5 0\r\nv\t1 0 0\r\nv 1 1 0 # corner\r\nv 0 1 0\r\ng x\r\ns off\r\n"
         "usemtl m\r\nf 1 2/1 3//1\r\nf -4/1/1 -2 4",
-        Lattice({2, 0}, {0, 3}));
-    EXPECT_EQ(file.tile.kind, MeshKind::kDelaunay);
+        plane::Lattice({2, 0}, {0, 3}));
+    EXPECT_EQ(file.tile.kind, plane::MeshKind::kDelaunay);
     EXPECT_THAT(file.tile.faces.corners, ::testing::ElementsAre(0, 1, 2, 0, 2, 3));
-    EXPECT_EQ(file.tile.lattice.b(), Vec2(0, 3));
+    EXPECT_EQ(file.tile.lattice.b(), plane::Vec2(0, 3));
     EXPECT_FALSE(file.has_vertex_pairs || file.has_edge_pairs);
     EXPECT_TRUE(file.tile.vertex_site.empty());
 }
 
 TEST(Obj, TheLatticeOfTheFileOverridesTheGivenOne) {
-    EXPECT_EQ(read_obj(kOneObjCell, Lattice({2, 0}, {0, 3})).tile.lattice.a(), Vec2(1, 0));
+    EXPECT_EQ(read_obj(kOneObjCell, plane::Lattice({2, 0}, {0, 3})).tile.lattice.a(),
+              plane::Vec2(1, 0));
     EXPECT_THAT(obj_fault(with("# pcvt lattice 1 0 0 1\n", "")),
                 StartsWith("t.obj: the file names no lattice; pass --lattice AX,AY,BX,BY"));
 }
@@ -230,7 +231,7 @@ TEST(Obj, TheSidecarMustAgreeWithTheComments) {
 }
 
 TEST(Obj, TheSidecarGivesTheSeamWhereTheCommentsAreLost) {
-    const Tile tile = testing::grid_tile(kSquare, 2, 3);
+    const plane::Tile tile = testing::grid_tile(kSquare, 2, 3);
     auto files = encode_obj(tile, {}, "t.obj");
     std::string bare;
     for (std::size_t at = files[0].bytes.find("\nv "); at < files[0].bytes.size(); ++at) {
@@ -268,7 +269,7 @@ TEST(Obj, FaultsOfTheSidecarNameIt) {
 }
 
 TEST(Obj, NonFiniteCoordinatesAreInternalErrors) {
-    Tile tile = testing::grid_tile(kSquare, 1, 1);
+    plane::Tile tile = testing::grid_tile(kSquare, 1, 1);
     tile.points[3].y() = std::numeric_limits<double>::infinity();
     EXPECT_THROW(encode_obj(tile, {}, "t.obj"), InternalError);
 }

@@ -10,10 +10,10 @@
 
 #include "io/graphics/om_reader.hpp"
 #include "io/graphics/om_writer.hpp"
-#include "mesher/mesh/outline.hpp"
-#include "mesher/mesh/voronoi.hpp"
-#include "mesher/tile/openmesh_tile.hpp"
-#include "mesher/tile/tile_builder.hpp"
+#include "mesher/plane/mesh/outline.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
+#include "mesher/plane/tile/openmesh_tile.hpp"
+#include "mesher/plane/tile/tile_builder.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/tile_equality.hpp"
 
@@ -25,15 +25,15 @@ using ::testing::StartsWith;
 
 /// The Voronoi cells or the Delaunay triangles of n random sites; the triangles with face sites are
 /// grains.
-Tile tile_of(const Lattice& lattice, int n, MeshKind kind) {
-    const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 5)));
-    const bool cells = kind == MeshKind::kVoronoi;
-    PeriodicMesh mesh = cells ? cell_mesh(delaunay) : triangle_mesh(delaunay);
-    if (kind == MeshKind::kGrains) {
+plane::Tile tile_of(const plane::Lattice& lattice, int n, plane::MeshKind kind) {
+    const plane::PeriodicDelaunay delaunay(plane::Sites(lattice, uniform_points(lattice, n, 5)));
+    const bool cells = kind == plane::MeshKind::kVoronoi;
+    plane::PeriodicMesh mesh = cells ? cell_mesh(delaunay) : triangle_mesh(delaunay);
+    if (kind == plane::MeshKind::kGrains) {
         mesh.kind = kind;
         mesh.site.resize(static_cast<std::size_t>(mesh.n_faces()), 3);
     }
-    return make_tile(mesh, whole_outline(mesh, Vec2(0, 0)));
+    return make_tile(mesh, whole_outline(mesh, plane::Vec2(0, 0)));
 }
 
 std::string om_fault(const std::string& bytes) {
@@ -45,15 +45,15 @@ std::string om_fault(const std::string& bytes) {
     return "";
 }
 
-std::string example(MeshKind kind = MeshKind::kVoronoi) {
-    return encode_om(tile_of(Lattice({1, 0}, {0.37, 0.81}), 9, kind), "t.om")[0].bytes;
+std::string example(plane::MeshKind kind = plane::MeshKind::kVoronoi) {
+    return encode_om(tile_of(plane::Lattice({1, 0}, {0.37, 0.81}), 9, kind), "t.om")[0].bytes;
 }
 
 /// Reads the bytes with OpenMesh itself.
 template <class Mesh>
-Tile read_with_openmesh(const std::string& bytes, const Lattice& lattice) {
-    OpenMeshTile any(std::in_place_type<OpenMeshTileOf<Mesh>>, lattice);
-    auto& tile = std::get<OpenMeshTileOf<Mesh>>(any);
+plane::Tile read_with_openmesh(const std::string& bytes, const plane::Lattice& lattice) {
+    plane::OpenMeshTile any(std::in_place_type<plane::OpenMeshTileOf<Mesh>>, lattice);
+    auto& tile = std::get<plane::OpenMeshTileOf<Mesh>>(any);
     tile.mesh.property(tile.identification.lattice).clear();
     std::istringstream stream(bytes);
     OpenMesh::IO::Options options(OpenMesh::IO::Options::Binary);
@@ -61,38 +61,39 @@ Tile read_with_openmesh(const std::string& bytes, const Lattice& lattice) {
     EXPECT_THAT(
         tile.mesh.property(tile.identification.lattice),
         ::testing::ElementsAre(lattice.a().x(), lattice.a().y(), lattice.b().x(), lattice.b().y()));
-    return pcvt::tile(any);
+    return pcvt::plane::tile(any);
 }
 
 TEST(Om, TilesReadBackExactlyWithTheirSeam) {
-    for (const Lattice& lattice : testing::awkward_lattices()) {
-        for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay, MeshKind::kGrains}) {
+    for (const plane::Lattice& lattice : testing::awkward_lattices()) {
+        for (const plane::MeshKind kind :
+             {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay, plane::MeshKind::kGrains}) {
             for (const int n : {1, 2, 40, 3000}) {
-                const Tile tile = tile_of(lattice, n, kind);
+                const plane::Tile tile = tile_of(lattice, n, kind);
                 const TileFile file = decode_om(encode_om(tile, "t.om"), std::nullopt);
                 testing::expect_same_tile(file.tile, tile);
                 EXPECT_TRUE(file.has_vertex_pairs && file.has_edge_pairs);
-                EXPECT_EQ(file.precision, Precision::kDouble);
+                EXPECT_EQ(file.precision, plane::Precision::kDouble);
             }
         }
     }
 }
 
 TEST(Om, OpenMeshReadsTheIdentificationBack) {
-    const Lattice lattice({1, 0}, {0.37, 0.81});
+    const plane::Lattice lattice({1, 0}, {0.37, 0.81});
     for (const int n : {1, 5, 300}) {
-        const Tile cells = tile_of(lattice, n, MeshKind::kVoronoi);
+        const plane::Tile cells = tile_of(lattice, n, plane::MeshKind::kVoronoi);
         testing::expect_same_tile(
-            read_with_openmesh<CellMesh>(encode_om(cells, "")[0].bytes, lattice), cells);
-        const Tile triangles = tile_of(lattice, n, MeshKind::kDelaunay);
+            read_with_openmesh<plane::CellMesh>(encode_om(cells, "")[0].bytes, lattice), cells);
+        const plane::Tile triangles = tile_of(lattice, n, plane::MeshKind::kDelaunay);
         testing::expect_same_tile(
-            read_with_openmesh<TriangleMesh>(encode_om(triangles, "")[0].bytes, lattice),
+            read_with_openmesh<plane::TriangleMesh>(encode_om(triangles, "")[0].bytes, lattice),
             triangles);
     }
 }
 
 TEST(Om, TheSameTileGivesTheSameBytes) {
-    for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay}) {
+    for (const plane::MeshKind kind : {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay}) {
         const std::string first = example(kind);
         std::vector<std::string> litter(100, std::string(1000, 'x'));
         litter.clear();
@@ -109,7 +110,7 @@ TEST(Om, NothingIsPrinted) {
 }
 
 TEST(Om, CoordinatesThatAreNotFiniteAreOurFault) {
-    Tile tile = tile_of(Lattice({1, 0}, {0, 1}), 4, MeshKind::kVoronoi);
+    plane::Tile tile = tile_of(plane::Lattice({1, 0}, {0, 1}), 4, plane::MeshKind::kVoronoi);
     tile.points[2].y() = std::nan("");
     EXPECT_THROW(encode_om(tile, "t.om"), InternalError);
 }
@@ -142,7 +143,7 @@ TEST(Om, PartnersThatAreNotMutualAreRefused) {
 TEST(Om, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(11);
     int n_refused = 0;
-    for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay}) {
+    for (const plane::MeshKind kind : {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay}) {
         const std::string bytes = example(kind);
         for (int k = 0; k < 4000; ++k) {
             const std::string fault = om_fault(testing::mutated(bytes, random));

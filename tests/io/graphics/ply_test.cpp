@@ -40,7 +40,7 @@ constexpr const char* kOnePlyCell =
     "0 1 0 0 1\n"
     "4 0 1 2 3 0\n";
 
-TileFile read_ply(const std::string& text, const std::optional<Lattice>& lattice = {}) {
+TileFile read_ply(const std::string& text, const std::optional<plane::Lattice>& lattice = {}) {
     return decode_ply({{"t.ply", text}}, lattice);
 }
 
@@ -54,17 +54,18 @@ std::string fault_with(const std::string& piece, const std::string& other) {
 }
 
 TEST(Ply, TilesReadBackExactlyWithTheirVertexPairs) {
-    for (const Lattice& lattice : testing::awkward_lattices()) {
-        for (Tile tile : {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
-                          testing::triangle_grid_tile(lattice, 2, 5),
-                          testing::grain_grid_tile(lattice, 2, 5)}) {
+    for (const plane::Lattice& lattice : testing::awkward_lattices()) {
+        for (plane::Tile tile :
+             {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
+              testing::triangle_grid_tile(lattice, 2, 5),
+              testing::grain_grid_tile(lattice, 2, 5)}) {
             const auto files = encode_ply(tile, {}, "dir/t.ply");
             ASSERT_EQ(files.size(), 1U);
             EXPECT_EQ(files[0].path, "dir/t.ply");
             const TileFile file = decode_ply(files, std::nullopt);
             EXPECT_TRUE(file.has_vertex_pairs);
             EXPECT_FALSE(file.has_edge_pairs);
-            EXPECT_EQ(file.precision, Precision::kDouble);
+            EXPECT_EQ(file.precision, plane::Precision::kDouble);
             tile.edge_pairs.clear();
             testing::expect_same_tile(file.tile, tile);
         }
@@ -73,13 +74,13 @@ TEST(Ply, TilesReadBackExactlyWithTheirVertexPairs) {
 
 TEST(Ply, SinglePrecisionHoldsPiecesOfOneCell) {
     // The square cell of a single site, cut along a diagonal.
-    Tile tile{.lattice = Lattice({1, 0}, {0, 1}), .kind = MeshKind::kVoronoi};
-    tile.points = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+    plane::Tile tile{.lattice = plane::Lattice({1, 0}, {0, 1}), .kind = plane::MeshKind::kVoronoi};
+    tile.points = {plane::Vec2(0, 0), plane::Vec2(1, 0), plane::Vec2(1, 1), plane::Vec2(0, 1)};
     tile.face_site = {0, 0};
     tile.faces.add(std::array{0, 1, 2});
     tile.faces.add(std::array{0, 2, 3});
     const auto files = encode_ply(tile, {.single_precision = true}, "t.ply");
-    const Tile read = decode_ply(files, std::nullopt).tile;
+    const plane::Tile read = decode_ply(files, std::nullopt).tile;
     ASSERT_EQ(read.n_faces(), 2);
     EXPECT_THAT(read.faces[0], ::testing::ElementsAre(0, 1, 2));
     // A fan from vertex 0 would continue that of the first piece.
@@ -88,8 +89,8 @@ TEST(Ply, SinglePrecisionHoldsPiecesOfOneCell) {
 }
 
 TEST(Ply, SinglePrecisionHoldsFloatsAndTriangles) {
-    for (const Lattice& lattice : testing::awkward_lattices()) {
-        for (const Tile& tile :
+    for (const plane::Lattice& lattice : testing::awkward_lattices()) {
+        for (const plane::Tile& tile :
              {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
               testing::triangle_grid_tile(lattice, 2, 5),
               testing::grain_grid_tile(lattice, 2, 5)}) {
@@ -97,13 +98,13 @@ TEST(Ply, SinglePrecisionHoldsFloatsAndTriangles) {
             EXPECT_THAT(files[0].bytes, HasSubstr("property float x\n"));
             EXPECT_THAT(files[0].bytes, ::testing::Not(HasSubstr("double")));
             const TileFile file = decode_ply(files, std::nullopt);
-            EXPECT_EQ(file.precision, Precision::kSingle);
+            EXPECT_EQ(file.precision, plane::Precision::kSingle);
             EXPECT_EQ(file.tile.kind, tile.kind);
             for (int f = 0; f < file.tile.n_faces(); ++f) EXPECT_EQ(file.tile.face_size(f), 3);
             for (int v = 0; v < tile.n_vertices(); ++v) {
                 EXPECT_EQ(file.tile.points[v].cast<float>(), tile.points[v].cast<float>());
             }
-            const TileProof proof = prove_tile(file.tile, file.precision);
+            const plane::TileProof proof = prove_tile(file.tile, file.precision);
             EXPECT_NO_THROW(compare_vertex_pairs(file.tile, proof));
             EXPECT_NEAR(proof.area, tile.lattice.area(), 1e-5 * tile.lattice.area());
         }
@@ -111,20 +112,20 @@ TEST(Ply, SinglePrecisionHoldsFloatsAndTriangles) {
 }
 
 TEST(Ply, TrianglesOfACellKeepItsSiteAndColour) {
-    const Tile tile = testing::grid_tile(kSquare, 3, 1);
+    const plane::Tile tile = testing::grid_tile(kSquare, 3, 1);
     const auto files = encode_ply(tile, {.single_precision = true}, "t.ply");
-    const Tile back = decode_ply(files, std::nullopt).tile;
+    const plane::Tile back = decode_ply(files, std::nullopt).tile;
     EXPECT_THAT(back.face_site, ElementsAre(0, 0, 1, 1, 2, 2));
     EXPECT_EQ(back.n_vertices(), tile.n_vertices());
 }
 
 TEST(Ply, RefusesTilesThatFloat32CannotHold) {
-    const Tile tile = testing::grid_tile(Lattice::rectangle(1e60, 1e60), 2, 2);
+    const plane::Tile tile = testing::grid_tile(plane::Lattice::rectangle(1e60, 1e60), 2, 2);
     EXPECT_THROW(encode_ply(tile, {.single_precision = true}, "t.ply"), InvalidInput);
 }
 
 TEST(Ply, ListsBecomeWiderOnlyForFacesThatNeedIt) {
-    Tile tile = testing::grid_tile(kSquare, 1, 1);
+    plane::Tile tile = testing::grid_tile(kSquare, 1, 1);
     EXPECT_THAT(encode_ply(tile, {}, "")[0].bytes,
                 HasSubstr("property list uchar int vertex_indices"));
     tile.points.clear();
@@ -148,11 +149,11 @@ TEST(Ply, PlainPlyOfOtherProgramsIsRead) {
         "property float z\r\nelement face 1\r\nproperty float quality\r\n"
         "property list uint8 uint32 vertex_index\r\nend_header\r\n"
         "2 0.5 1e3\r\n255 0 0 -0\r\n\r\n0 0 1 0\r\n0 2 0 0\r\n0.5 3 0 1 2",
-        Lattice({2, 0}, {0, 3}));
-    EXPECT_EQ(file.tile.kind, MeshKind::kDelaunay);
-    EXPECT_EQ(file.tile.points[2], Vec2(0, 2));
+        plane::Lattice({2, 0}, {0, 3}));
+    EXPECT_EQ(file.tile.kind, plane::MeshKind::kDelaunay);
+    EXPECT_EQ(file.tile.points[2], plane::Vec2(0, 2));
     EXPECT_THAT(file.tile.faces.corners, ElementsAre(0, 1, 2));
-    EXPECT_EQ(file.precision, Precision::kSingle);
+    EXPECT_EQ(file.precision, plane::Precision::kSingle);
     EXPECT_FALSE(file.has_vertex_pairs || file.has_edge_pairs);
 }
 
@@ -233,7 +234,7 @@ TEST(Ply, AThirdDimensionIsRefused) {
 }
 
 TEST(Ply, NonFiniteCoordinatesAreInternalErrors) {
-    Tile tile = testing::grid_tile(kSquare, 1, 1);
+    plane::Tile tile = testing::grid_tile(kSquare, 1, 1);
     tile.points[0].x() = std::nan("");
     EXPECT_THROW(encode_ply(tile, {}, "t.ply"), InternalError);
 }

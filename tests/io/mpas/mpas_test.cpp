@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-MpasGrid example() { return mpas_grid(testing::hexagonal_cells(6, 4), Vec2(0, 0)); }
+MpasGrid example() { return mpas_grid(testing::hexagonal_cells(6, 4), plane::Vec2(0, 0)); }
 
 std::string fault_of(const std::string& bytes) {
     try {
@@ -95,7 +95,7 @@ TEST(Mpas, ADensityThatDiffersFromItsMeanIsRefused) {
 }
 
 TEST(Mpas, TheCoriolisParameterReadsBackAndIsProved) {
-    MpasGrid grid = mpas_grid(testing::hexagonal_cells(6, 4), Vec2(-3, 7));
+    MpasGrid grid = mpas_grid(testing::hexagonal_cells(6, 4), plane::Vec2(-3, 7));
     EXPECT_FALSE(decode_mpas("t.nc", encode_mpas(grid)).coriolis);
     const Coriolis coriolis{.f = 1e-4, .beta = -0.3};
     fill_coriolis(coriolis, grid);

@@ -6,7 +6,7 @@
 #include "io/openfoam/foam_reader.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "mesher/finite_volume/cell_flow.hpp"
-#include "mesher/proof/validate.hpp"
+#include "mesher/plane/proof/validate.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/tile_equality.hpp"
@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 std::vector<EncodedFile> grid_case() {
-    return encode_foam(testing::grid_tile(Lattice({1, 0}, {0.37, 0.81}), 3, 2), "t.foam");
+    return encode_foam(testing::grid_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 3, 2), "t.foam");
 }
 
 EncodedFile& file_named(std::vector<EncodedFile>& files, const std::string& name) {
@@ -27,7 +27,7 @@ EncodedFile& file_named(std::vector<EncodedFile>& files, const std::string& name
 }
 
 std::string fault_of(const std::vector<EncodedFile>& files,
-                     const std::optional<Lattice>& lattice = {}) {
+                     const std::optional<plane::Lattice>& lattice = {}) {
     try {
         decode_foam(files, lattice);
     } catch (const InvalidInput& fault) {
@@ -48,8 +48,8 @@ std::string fault_with(const std::string& name, const std::string& piece,
 }
 
 TEST(Foam, TilesReadBackExactlyWithTheirEdgePairs) {
-    for (const Lattice& lattice : testing::awkward_lattices()) {
-        for (const Tile& tile :
+    for (const plane::Lattice& lattice : testing::awkward_lattices()) {
+        for (const plane::Tile& tile :
              {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
               testing::triangle_grid_tile(lattice, 2, 5)}) {
             const TileFile file = decode_foam(encode_foam(tile, "t.foam"), std::nullopt);
@@ -58,7 +58,7 @@ TEST(Foam, TilesReadBackExactlyWithTheirEdgePairs) {
             EXPECT_EQ(file.tile.kind, tile.kind);
             EXPECT_EQ(file.tile.lattice.a(), lattice.a());
             EXPECT_EQ(file.tile.lattice.b(), lattice.b());
-            const TileProof proof = prove_tile(file.tile, file.precision);
+            const plane::TileProof proof = prove_tile(file.tile, file.precision);
             compare_edge_pairs(file.tile, proof);
             compare_edge_pairs(tile, proof);
         }
@@ -104,7 +104,7 @@ double number_after(std::vector<EncodedFile>& files, const std::string& name,
 
 TEST(Foam, TheFirstStepHasACourantNumberOfAtMostAHalf) {
     for (const auto& [columns, rows] : {std::pair(12, 12), std::pair(90, 30), std::pair(10, 200)}) {
-        const Tile tile = testing::grid_tile(Lattice::rectangle(1, 1), columns, rows);
+        const plane::Tile tile = testing::grid_tile(plane::Lattice::rectangle(1, 1), columns, rows);
         auto files = encode_foam(tile, "t.foam");
         const double step = number_after(files, "system/controlDict", "deltaT");
         const double end = number_after(files, "system/controlDict", "endTime");
@@ -120,7 +120,7 @@ TEST(Foam, TheFirstStepHasACourantNumberOfAtMostAHalf) {
 }
 
 TEST(Foam, CellsThatAreTooLargeForTheFlowStartAtRest) {
-    auto files = encode_foam(testing::grid_tile(Lattice::rectangle(1, 1), 1, 2), "t.foam");
+    auto files = encode_foam(testing::grid_tile(plane::Lattice::rectangle(1, 1), 1, 2), "t.foam");
     EXPECT_THAT(file_named(files, "constant/transportProperties").bytes,
                 HasSubstr("U and T start as 0"));
     EXPECT_THAT(file_named(files, "0/U").bytes, HasSubstr("\n2\n(\n(0 0 0)\n(0 0 0)\n);\n"));
@@ -132,8 +132,8 @@ TEST(Foam, ABoundaryOfAnotherProgramNeedsTheLattice) {
     std::string& text = file_named(files, "constant/polyMesh/boundary").bytes;
     text.replace(text.find("// pcvt lattice"), 7, "// also");
     EXPECT_THAT(fault_of(files), HasSubstr("names no lattice; pass --lattice"));
-    EXPECT_EQ(fault_of(files, Lattice({1, 0}, {0.37, 0.81})), "");
-    EXPECT_THAT(fault_of(files, Lattice({1, 0}, {0.37, 0.8})),
+    EXPECT_EQ(fault_of(files, plane::Lattice({1, 0}, {0.37, 0.81})), "");
+    EXPECT_THAT(fault_of(files, plane::Lattice({1, 0}, {0.37, 0.8})),
                 HasSubstr("a separation other than"));
 }
 
@@ -163,14 +163,14 @@ TEST(Foam, CommentsAndOneLineListsAreRead) {
     EXPECT_EQ(fault_of(files), "");
 }
 
-const CellMaterials& two_phases() {
-    static const CellMaterials phases{.phase_names = {"1st", "b"},
-                                      .site_phase = {0, 1, 1, 0, 1, 1}};
+const plane::CellMaterials& two_phases() {
+    static const plane::CellMaterials phases{.phase_names = {"1st", "b"},
+                                             .site_phase = {0, 1, 1, 0, 1, 1}};
     return phases;
 }
 
 std::vector<EncodedFile> phase_example() {
-    return encode_foam(testing::grid_tile(Lattice({1, 0}, {0.37, 0.81}), 3, 2), "t.foam", 0,
+    return encode_foam(testing::grid_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 3, 2), "t.foam", 0,
                        &two_phases());
 }
 
@@ -201,7 +201,7 @@ TEST(Foam, FalsePhasesAreRefused) {
 }
 
 TEST(Foam, NonFiniteCoordinatesAreInternalErrors) {
-    Tile tile = testing::grid_tile(Lattice::rectangle(1, 1), 1, 1);
+    plane::Tile tile = testing::grid_tile(plane::Lattice::rectangle(1, 1), 1, 1);
     tile.points[0].x() = std::nan("");
     EXPECT_THROW(encode_foam(tile, "t.foam"), InternalError);
 }

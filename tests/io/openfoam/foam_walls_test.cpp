@@ -7,7 +7,7 @@
 #include "io/openfoam/foam_reader.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/tile_formats.hpp"
-#include "mesher/proof/validate.hpp"
+#include "mesher/plane/proof/validate.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/walled_tiles.hpp"
 
@@ -25,8 +25,8 @@ std::string& text_of(Files& files, const std::string& name) {
         ->bytes;
 }
 
-Files walled_case(Walls walls = Walls::kY) {
-    return encode_foam(walled_tile(walls, WallCells::kWhole, 12, {}), "t.foam");
+Files walled_case(plane::Walls walls = plane::Walls::kY) {
+    return encode_foam(walled_tile(walls, plane::WallCells::kWhole, 12, {}), "t.foam");
 }
 
 /// Returns why `pcvt check` refuses the files; empty if it accepts them.
@@ -55,14 +55,15 @@ std::string wall_fault_with(const std::string& name, const std::string& piece,
 
 TEST(FoamWalls, TilesReadBackExactlyWithTheirWalls) {
     std::mt19937_64 random(6);
-    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
-        for (const WallCells cells : {WallCells::kWhole, WallCells::kHalf}) {
-            for (const MeshKindRow& row : kMeshKinds) {
-                if (row.kind == MeshKind::kDelaunay && cells == WallCells::kWhole) continue;
+    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
+        for (const plane::WallCells cells : {plane::WallCells::kWhole, plane::WallCells::kHalf}) {
+            for (const plane::MeshKindRow& row : plane::kMeshKinds) {
+                if (row.kind == plane::MeshKind::kDelaunay && cells == plane::WallCells::kWhole)
+                    continue;
                 const int n = static_cast<int>(6 + random() % 30);
                 SCOPED_TRACE(std::string(walls_row(walls).word) + ' ' + row.word + ' ' +
                              std::to_string(n));
-                const Tile tile = walled_tile(walls, cells, n, {.kind = row.kind});
+                const plane::Tile tile = walled_tile(walls, cells, n, {.kind = row.kind});
                 const Files files = encode_foam(tile, "t.foam");
                 EXPECT_EQ(wall_fault(files), "");
                 const TileFile file = decode_foam(files, std::nullopt);
@@ -76,18 +77,20 @@ TEST(FoamWalls, TilesReadBackExactlyWithTheirWalls) {
 }
 
 TEST(FoamWalls, TheFieldsHaveConditionsOnWalls) {
-    Files files = walled_case(Walls::kXY);
+    Files files = walled_case(plane::Walls::kXY);
     EXPECT_THAT(text_of(files, "constant/polyMesh/boundary"),
                 HasSubstr("    wall_left\n    {\n        type            wall;\n"));
-    for (const WallSideRow& row : kWallSides) {
+    for (const plane::WallSideRow& row : plane::kWallSides) {
         const std::string name = std::string("    ") + row.word + " { type ";
         EXPECT_THAT(text_of(files, "0/U"), HasSubstr(name + "noSlip; }"));
         EXPECT_THAT(text_of(files, "0/p"), HasSubstr(name + "zeroGradient; }"));
         EXPECT_THAT(text_of(files, "0/T"), HasSubstr(name + "zeroGradient; }"));
     }
-    Files moving = encode_foam(walled_tile(Walls::kXY, WallCells::kWhole, 150, {}), "t.foam");
+    Files moving =
+        encode_foam(walled_tile(plane::Walls::kXY, plane::WallCells::kWhole, 150, {}), "t.foam");
     EXPECT_THAT(text_of(moving, "constant/transportProperties"), HasSubstr("U begins to fall as"));
-    moving = encode_foam(walled_tile(Walls::kY, WallCells::kWhole, 150, {}), "t.foam");
+    moving =
+        encode_foam(walled_tile(plane::Walls::kY, plane::WallCells::kWhole, 150, {}), "t.foam");
     // pi^2, for the height 1.
     EXPECT_THAT(text_of(moving, "constant/transportProperties"), HasSubstr("fall as exp(-9.8696"));
 }
@@ -139,7 +142,7 @@ TEST(FoamWalls, RangesOfWallPatchesAreProved) {
 }
 
 TEST(FoamWalls, ThicknessesAreReadBack) {
-    const Tile tile = walled_tile(Walls::kY, WallCells::kWhole, 12, {});
+    const plane::Tile tile = walled_tile(plane::Walls::kY, plane::WallCells::kWhole, 12, {});
     Files files = encode_foam(tile, "t.foam", 0.3);
     EXPECT_EQ(decode_foam(files, std::nullopt).thickness, 0.3);
     EXPECT_EQ(wall_fault(files), "");
@@ -150,9 +153,9 @@ TEST(FoamWalls, ThicknessesAreReadBack) {
 
 TEST(FoamWalls, LayersOfAnotherScaleThanTheCellsAreRefused) {
     const TileFormat& format = *find_tile_format("t.foam");
-    FormatRequest request{.lattice = Lattice::rectangle(2, 1),
-                          .kind = MeshKind::kVoronoi,
-                          .outline = Outline::kWhole,
+    FormatRequest request{.lattice = plane::Lattice::rectangle(2, 1),
+                          .kind = plane::MeshKind::kVoronoi,
+                          .outline = plane::Outline::kWhole,
                           .short_edges = 0,
                           .n_sites = 200};
     for (const auto& [thickness, is_held] :
@@ -168,7 +171,7 @@ TEST(FoamWalls, LayersOfAnotherScaleThanTheCellsAreRefused) {
 
 TEST(FoamWalls, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(5);
-    const Files sound = walled_case(Walls::kXY);
+    const Files sound = walled_case(plane::Walls::kXY);
     int n_refused = 0;
     for (int k = 0; k < 1000; ++k) {
         Files files = sound;

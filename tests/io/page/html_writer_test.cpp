@@ -26,7 +26,7 @@ using testing::triangle_grid_tile;
 
 constexpr std::string_view kDataBegin = R"(<script type="application/json" id="data">)";
 
-std::string html(const Tile& tile, const std::string& path = "t.html") {
+std::string html(const plane::Tile& tile, const std::string& path = "t.html") {
     return encode_html(tile, {}, path).at(0).bytes;
 }
 
@@ -40,18 +40,18 @@ nlohmann::json parsed_data(const std::string& page) {
     return nlohmann::json::parse(data_text(page));
 }
 
-std::vector<double> flat(const std::vector<Vec2>& points) {
+std::vector<double> flat(const std::vector<plane::Vec2>& points) {
     std::vector<double> numbers;
-    for (const Vec2& p : points) numbers.insert(numbers.end(), {p.x(), p.y()});
+    for (const plane::Vec2& p : points) numbers.insert(numbers.end(), {p.x(), p.y()});
     return numbers;
 }
 
-std::vector<Tile> tiles_of(const Lattice& lattice) {
+std::vector<plane::Tile> tiles_of(const plane::Lattice& lattice) {
     return {grid_tile(lattice, 1, 1), grid_tile(lattice, 5, 3), triangle_grid_tile(lattice, 4, 3),
             grain_grid_tile(lattice, 3, 4)};
 }
 
-void expect_same_tile(const nlohmann::json& json, const Tile& tile) {
+void expect_same_tile(const nlohmann::json& json, const plane::Tile& tile) {
     EXPECT_EQ(json["points"].get<std::vector<double>>(), flat(tile.points));
     EXPECT_EQ(json["site_points"].get<std::vector<double>>(), flat(tile.site_points));
     ASSERT_EQ(json["faces"].size(), static_cast<std::size_t>(tile.n_faces()));
@@ -62,12 +62,12 @@ void expect_same_tile(const nlohmann::json& json, const Tile& tile) {
     }
     const bool owned = faces_have_sites(tile.kind);
     EXPECT_EQ(json["sites"].get<std::vector<int>>(), owned ? tile.face_site : tile.vertex_site);
-    std::vector<VertexPair> vertex_pairs;
+    std::vector<plane::VertexPair> vertex_pairs;
     for (const nlohmann::json& p : json["vertex_pairs"]) {
         vertex_pairs.push_back({p[0], p[1], {p[2], p[3]}});
     }
     EXPECT_EQ(vertex_pairs, tile.vertex_pairs);
-    std::vector<EdgePair> edge_pairs;
+    std::vector<plane::EdgePair> edge_pairs;
     for (const nlohmann::json& p : json["edge_pairs"]) {
         edge_pairs.push_back(
             {.v0 = p[0], .v1 = p[1], .w0 = p[2], .w1 = p[3], .offset = {p[4], p[5]}});
@@ -77,7 +77,7 @@ void expect_same_tile(const nlohmann::json& json, const Tile& tile) {
 
 TEST(HtmlPage, Law1TheDataGivesTheTileBackExactly) {
     for (const auto& [name, lattice] : testing::lattices()) {
-        for (const Tile& tile : tiles_of(lattice)) {
+        for (const plane::Tile& tile : tiles_of(lattice)) {
             SCOPED_TRACE(name);
             const nlohmann::json json = parsed_data(html(tile));
             EXPECT_EQ(json["lattice"][0].get<std::vector<double>>(), flat({lattice.a()}));
@@ -88,44 +88,45 @@ TEST(HtmlPage, Law1TheDataGivesTheTileBackExactly) {
 }
 
 TEST(HtmlPage, EdgesOnWallsNameTheirWall) {
-    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
-        for (const Tile& tile : testing::walled_tiles(walls)) {
+    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
+        for (const plane::Tile& tile : testing::walled_tiles(walls)) {
             const nlohmann::json json = parsed_data(html(tile));
             expect_same_tile(json, tile);
             EXPECT_EQ(json["walls"][0] == 1, has_walls_across(walls, 0));
             EXPECT_EQ(json["walls"][1] == 1, has_walls_across(walls, 1));
             ASSERT_EQ(json["wall_edges"].size(), tile.wall_edges.size());
             for (std::size_t k = 0; k < tile.wall_edges.size(); ++k) {
-                const WallEdge& edge = tile.wall_edges[k];
+                const plane::WallEdge& edge = tile.wall_edges[k];
                 const nlohmann::json wanted{edge.v0, edge.v1, wall_side_row(edge.wall.side()).word};
                 EXPECT_EQ(json["wall_edges"][k], wanted);
             }
         }
     }
-    EXPECT_FALSE(parsed_data(html(grid_tile(Lattice::rectangle(1, 1), 2, 2))).contains("walls"));
+    EXPECT_FALSE(
+        parsed_data(html(grid_tile(plane::Lattice::rectangle(1, 1), 2, 2))).contains("walls"));
 }
 
 TEST(HtmlPage, OrbitsHaveNumbersOfSitesAndColoursOfFaces) {
     const std::vector<int> orbits{0, 1, 1, 0};
     const FileOptions options{.site_orbits = orbits, .colouring = Colouring::kOrbit};
-    const auto data = [&](const Tile& tile, const FileOptions& given) {
+    const auto data = [&](const plane::Tile& tile, const FileOptions& given) {
         return parsed_data(encode_html(tile, given, "t.html").at(0).bytes);
     };
-    for (const Tile& tile : {grid_tile(Lattice::rectangle(1, 1), 2, 2),
-                             grain_grid_tile(Lattice::rectangle(1, 1), 2, 2)}) {
+    for (const plane::Tile& tile : {grid_tile(plane::Lattice::rectangle(1, 1), 2, 2),
+                                    grain_grid_tile(plane::Lattice::rectangle(1, 1), 2, 2)}) {
         const nlohmann::json json = data(tile, options);
         EXPECT_EQ(json["colouring"], "orbit");
         EXPECT_EQ(json["orbits"].get<std::vector<int>>(), orbits);
         EXPECT_EQ(json["orbit_classes"].get<std::vector<int>>(), site_classes(tile, orbits));
         EXPECT_THAT(data(tile, {})["orbit_classes"], IsEmpty());
     }
-    const Tile triangles = triangle_grid_tile(Lattice::rectangle(1, 1), 2, 2);
+    const plane::Tile triangles = triangle_grid_tile(plane::Lattice::rectangle(1, 1), 2, 2);
     EXPECT_THAT(data(triangles, options)["orbit_classes"], IsEmpty());
 }
 
 TEST(HtmlPage, Law2NoNameEndsTheData) {
     const std::string name = "</script><!--\"&\\\x01\n.html";
-    const std::string page = html(grid_tile(Lattice::rectangle(1, 1), 2, 2), "a/x" + name);
+    const std::string page = html(grid_tile(plane::Lattice::rectangle(1, 1), 2, 2), "a/x" + name);
     // A slash separates folders: the name of the file begins after it.
     EXPECT_EQ(parsed_data(page)["name"], name.substr(2));
     EXPECT_THAT(data_text(page), Not(HasSubstr("<")));
@@ -133,13 +134,14 @@ TEST(HtmlPage, Law2NoNameEndsTheData) {
 }
 
 TEST(HtmlPage, Law2MarksOfThePageInANameAreLeftAlone) {
-    const std::string page = html(grid_tile(Lattice::rectangle(1, 1), 2, 2), "@DATA@@SCRIPT@.html");
+    const std::string page =
+        html(grid_tile(plane::Lattice::rectangle(1, 1), 2, 2), "@DATA@@SCRIPT@.html");
     EXPECT_EQ(parsed_data(page)["name"], "@DATA@@SCRIPT@.html");
     EXPECT_THAT(page, HasSubstr("<title>@DATA@@SCRIPT@.html</title>"));
 }
 
 TEST(HtmlPage, Law3ThePageIsSmallAndNeedsNoNetwork) {
-    const std::string page = html(grid_tile(Lattice::rectangle(1, 1), 30, 30));
+    const std::string page = html(grid_tile(plane::Lattice::rectangle(1, 1), 30, 30));
     EXPECT_LT(page.size() - data_text(page).size(), 300'000u);
     EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
     EXPECT_THAT(page, HasSubstr("Content-Security-Policy"));
@@ -156,7 +158,7 @@ TEST(HtmlPage, NoScriptOrStyleEndsItsOwnElement) {
 }
 
 TEST(HtmlPage, DensitiesAreThereWhenTheMeshIsGraded) {
-    const Tile tile = grid_tile(Lattice::rectangle(1, 1), 2, 1);
+    const plane::Tile tile = grid_tile(plane::Lattice::rectangle(1, 1), 2, 1);
     const std::vector<double> densities{0.1, 1e-300};
     const nlohmann::json graded =
         parsed_data(encode_html(tile, {.site_densities = densities}, "t.html").at(0).bytes);
@@ -168,15 +170,15 @@ TEST(HtmlPage, DensitiesAreThereWhenTheMeshIsGraded) {
 }
 
 TEST(HtmlPage, SidesAreThoseOfTheFacesOrTheValencesOfTheVertices) {
-    const Lattice square = Lattice::rectangle(1, 1);
+    const plane::Lattice square = plane::Lattice::rectangle(1, 1);
     EXPECT_THAT(parsed_data(html(grid_tile(square, 2, 1)))["sides"], ElementsAre(4, 4));
-    const Tile triangles = triangle_grid_tile(square, 3, 3);
+    const plane::Tile triangles = triangle_grid_tile(square, 3, 3);
     const nlohmann::json valences = parsed_data(html(triangles))["sides"];
     EXPECT_EQ(valences, nlohmann::json(std::vector<int>(triangles.points.size(), 6)));
 }
 
 TEST(HtmlPage, CoordinatesThatAreNotFiniteAreRefused) {
-    Tile tile = grid_tile(Lattice::rectangle(1, 1), 2, 1);
+    plane::Tile tile = grid_tile(plane::Lattice::rectangle(1, 1), 2, 1);
     tile.points[2].x() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(encode_html(tile, {}, "t.html"), InternalError);
 }

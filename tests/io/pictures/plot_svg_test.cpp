@@ -18,23 +18,23 @@ using ::testing::Not;
 using ::testing::Pointwise;
 
 /// Returns the numbers in the groups of each match.
-std::vector<Vec2> pairs(const std::string& text, const std::string& pattern) {
+std::vector<plane::Vec2> pairs(const std::string& text, const std::string& pattern) {
     const std::regex regex(pattern);
-    std::vector<Vec2> found;
+    std::vector<plane::Vec2> found;
     for (std::sregex_iterator at(text.begin(), text.end(), regex), end; at != end; ++at) {
         found.emplace_back(std::stod((*at)[1]), std::stod((*at)[2]));
     }
     return found;
 }
 
-Plot dots(bool x_logarithmic, bool y_logarithmic, std::vector<Vec2> points) {
+Plot dots(bool x_logarithmic, bool y_logarithmic, std::vector<plane::Vec2> points) {
     return {"t",
             {"x", x_logarithmic},
             {"y", y_logarithmic},
             {{PlotSeries::Mark::kDots, "", kPlotBlue, std::move(points), {}}}};
 }
 
-std::vector<Vec2> drawn_dots(const Plot& plot) {
+std::vector<plane::Vec2> drawn_dots(const Plot& plot) {
     return pairs(encode_plots("t", {plot}), R"re(<circle cx="([\d.]+)" cy="([\d.]+)")re");
 }
 
@@ -98,10 +98,10 @@ TEST(Plot, ValuesBelongToTheMarksOfThePicture) {
     const std::string json = plot_points({plot, plot});
     EXPECT_THAT(json, HasSubstr("{\"label\": \"a\", \"points\": ["));
     EXPECT_THAT(json, Not(HasSubstr("bound")));
-    const std::vector<Vec2> marks =
+    const std::vector<plane::Vec2> marks =
         pairs(encode_plots("t", {plot, plot}).substr(0), R"re([ML"](\d[\d.]*) (\d[\d.]*))re");
     for (const char* values : {",0,1]", ",4,100]", ",9,0.5]"}) EXPECT_THAT(json, HasSubstr(values));
-    for (const Vec2& pixel : pairs(json, R"re(\[(\d[\d.]*),(\d[\d.]*),)re")) {
+    for (const plane::Vec2& pixel : pairs(json, R"re(\[(\d[\d.]*),(\d[\d.]*),)re")) {
         EXPECT_THAT(marks, ::testing::Contains(pixel));
     }
 }
@@ -129,7 +129,7 @@ TEST(CellPanels, EachPanelIsDrawnInItsPlaceWithYUpwards) {
     EXPECT_GE(cells[2].y(), cells[0].y() + 100);
     // The first corner is the lower left one, the third one is the upper right one.
     const auto thirds = pairs(svg, R"re(fill="#123456" d="M[^L]*L[^L]*L([\d.]+) ([\d.]+)L)re");
-    EXPECT_EQ(thirds.at(0), cells[0] + Vec2(100, -25));
+    EXPECT_EQ(thirds.at(0), cells[0] + plane::Vec2(100, -25));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "io/colours/colouring.hpp"
 #include "io/run_files/png_image.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/tile/build_tile.hpp"
+#include "mesher/plane/tile/build_tile.hpp"
 #include "tests/support/example_lattices.hpp"
 #include "tests/support/rolled_pixels.hpp"
 #include "tests/support/tile_equality.hpp"
@@ -21,20 +21,20 @@ namespace {
 using testing::kOblique;
 using testing::rolled;
 
-const Lattice kRectangle = Lattice::rectangle(2, 1);
+const plane::Lattice kRectangle = plane::Lattice::rectangle(2, 1);
 constexpr int kPictureWidth = 256;
 
-Tile tile(const Lattice& lattice, MeshKind kind, Outline outline) {
-    const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, 40, 5)));
-    TileOptions options;
+plane::Tile tile(const plane::Lattice& lattice, plane::MeshKind kind, plane::Outline outline) {
+    const plane::PeriodicDelaunay delaunay(plane::Sites(lattice, uniform_points(lattice, 40, 5)));
+    plane::TileOptions options;
     options.kind = kind;
     options.outline = outline;
     return build_tile(delaunay, options).tile;
 }
 
-Tile moved(Tile tile, const Vec2& by) {
-    for (Vec2& p : tile.points) p += by;
-    for (Vec2& p : tile.site_points) p += by;
+plane::Tile moved(plane::Tile tile, const plane::Vec2& by) {
+    for (plane::Vec2& p : tile.points) p += by;
+    for (plane::Vec2& p : tile.site_points) p += by;
     return tile;
 }
 
@@ -45,13 +45,14 @@ int n_different(const std::vector<unsigned char>& image, const std::vector<unsig
 }
 
 TEST(PngWriter, AMovedTileGivesTheRolledImage) {
-    for (const Lattice& lattice : {kRectangle, kOblique}) {
-        for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay, MeshKind::kGrains}) {
-            const Tile at_zero = tile(lattice, kind, Outline::kWhole);
+    for (const plane::Lattice& lattice : {kRectangle, kOblique}) {
+        for (const plane::MeshKind kind :
+             {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay, plane::MeshKind::kGrains}) {
+            const plane::Tile at_zero = tile(lattice, kind, plane::Outline::kWhole);
             const RgbImage image = draw_period(at_zero, {}, kPictureWidth);
             const int x = 37;
             const int y = 11;
-            const Vec2 by =
+            const plane::Vec2 by =
                 double(x) / kPictureWidth * lattice.a() - double(y) / image.height * lattice.b();
             const RgbImage other = draw_period(moved(at_zero, by), {}, kPictureWidth);
             ASSERT_EQ(image.height, other.height);
@@ -62,11 +63,11 @@ TEST(PngWriter, AMovedTileGivesTheRolledImage) {
 }
 
 TEST(PngWriter, TheOutlineDoesNotShow) {
-    for (const Lattice& lattice : {kRectangle, kOblique}) {
-        const RgbImage whole =
-            draw_period(tile(lattice, MeshKind::kVoronoi, Outline::kWhole), {}, kPictureWidth);
-        const RgbImage box =
-            draw_period(tile(lattice, MeshKind::kVoronoi, Outline::kBox), {}, kPictureWidth);
+    for (const plane::Lattice& lattice : {kRectangle, kOblique}) {
+        const RgbImage whole = draw_period(
+            tile(lattice, plane::MeshKind::kVoronoi, plane::Outline::kWhole), {}, kPictureWidth);
+        const RgbImage box = draw_period(
+            tile(lattice, plane::MeshKind::kVoronoi, plane::Outline::kBox), {}, kPictureWidth);
         EXPECT_LE(n_different(whole.rgb, box.rgb), 30);
     }
 }
@@ -86,8 +87,8 @@ int step(const RgbImage& image, int column, int other) {
 }
 
 TEST(PngWriter, TheLastColumnContinuesInTheFirst) {
-    const RgbImage image =
-        draw_period(tile(kRectangle, MeshKind::kVoronoi, Outline::kBox), {}, kPictureWidth);
+    const RgbImage image = draw_period(
+        tile(kRectangle, plane::MeshKind::kVoronoi, plane::Outline::kBox), {}, kPictureWidth);
     int most = 0;
     for (int x = 0; x + 1 < kPictureWidth; ++x) most = std::max(most, step(image, x, x + 1));
     EXPECT_LE(step(image, kPictureWidth - 1, 0), most);
@@ -109,10 +110,11 @@ std::vector<unsigned char> far_half(const RgbImage& image, int axis) {
 }
 
 TEST(PngWriter, DotsOnAWallDoNotShowAtTheOppositeOne) {
-    for (const auto& [walls, axis] : {std::pair(Walls::kX, 0), std::pair(Walls::kY, 1)}) {
-        const Tile cells = testing::walled_tile(walls, WallCells::kHalf, 14, {});
-        Tile without = cells;
-        const auto on_first_wall = [axis = axis](const Vec2& p) { return p[axis] == 0; };
+    for (const auto& [walls, axis] :
+         {std::pair(plane::Walls::kX, 0), std::pair(plane::Walls::kY, 1)}) {
+        const plane::Tile cells = testing::walled_tile(walls, plane::WallCells::kHalf, 14, {});
+        plane::Tile without = cells;
+        const auto on_first_wall = [axis = axis](const plane::Vec2& p) { return p[axis] == 0; };
         ASSERT_GT(std::erase_if(without.site_points, on_first_wall), 0U);
         const RgbImage image = draw_period(cells, {}, kPictureWidth);
         const RgbImage fewer = draw_period(without, {}, kPictureWidth);
@@ -122,14 +124,15 @@ TEST(PngWriter, DotsOnAWallDoNotShowAtTheOppositeOne) {
 }
 
 TEST(PngWriter, ShowsUToTheRightAndVUpwards) {
-    for (const Lattice& lattice : testing::awkward_lattices()) {
-        const Tile cells = tile(lattice, MeshKind::kVoronoi, Outline::kWhole);
+    for (const plane::Lattice& lattice : testing::awkward_lattices()) {
+        const plane::Tile cells = tile(lattice, plane::MeshKind::kVoronoi, plane::Outline::kWhole);
         const TileColours colours = tile_colours(cells, Colouring::kSides, {});
         const RgbImage image = draw_period(cells, {}, 600);
         for (int f = 0; f < cells.n_faces(); ++f) {
             // Between the dot at the site and a corner.
-            const Vec2 p = 0.6 * cells.site_points[f] + 0.4 * cells.points[cells.faces[f][0]];
-            const Vec2 u = lattice.to_lattice(p);
+            const plane::Vec2 p =
+                0.6 * cells.site_points[f] + 0.4 * cells.points[cells.faces[f][0]];
+            const plane::Vec2 u = lattice.to_lattice(p);
             const int x = static_cast<int>((u.x() - std::floor(u.x())) * image.width);
             const int row = static_cast<int>((1 - (u.y() - std::floor(u.y()))) * image.height);
             const std::size_t at = 3 * (static_cast<std::size_t>(row) * image.width + x);
@@ -143,7 +146,7 @@ TEST(PngWriter, ShowsUToTheRightAndVUpwards) {
 }
 
 TEST(PngWriter, FilesHaveTheSizeAndPixelsOfTheImage) {
-    const Tile cells = tile(kRectangle, MeshKind::kVoronoi, Outline::kWhole);
+    const plane::Tile cells = tile(kRectangle, plane::MeshKind::kVoronoi, plane::Outline::kWhole);
     const auto files = encode_tile_png(cells, {.pixels = 300}, "t.png");
     ASSERT_EQ(files.size(), 1U);
     const GreyImage read = decode_png("t.png", files[0].bytes);
@@ -161,7 +164,7 @@ TEST(PngWriter, FilesHaveTheSizeAndPixelsOfTheImage) {
 TEST(PngWriter, RefusesImagesThatAreTooLarge) {
     EXPECT_EQ(image_height(kRectangle, 10000), 5000);
     EXPECT_THROW(image_height(kRectangle, 20000), InvalidInput);
-    EXPECT_EQ(image_height(Lattice::rectangle(1000, 1), 10), 1);
+    EXPECT_EQ(image_height(plane::Lattice::rectangle(1000, 1), 10), 1);
 }
 
 }  // namespace

@@ -12,20 +12,20 @@ namespace {
 
 using ::testing::HasSubstr;
 
-double area_of(const std::vector<Vec2>& corners) {
+double area_of(const std::vector<plane::Vec2>& corners) {
     double twice = 0;
     for (std::size_t k = 0; k < corners.size(); ++k) {
-        const Vec2& p = corners[k];
-        const Vec2& q = corners[(k + 1) % corners.size()];
+        const plane::Vec2& p = corners[k];
+        const plane::Vec2& q = corners[(k + 1) % corners.size()];
         twice += p.x() * q.y() - p.y() * q.x();
     }
     return twice / 2;
 }
 
-bool contains(const std::vector<Vec2>& corners, const Vec2& point) {
+bool contains(const std::vector<plane::Vec2>& corners, const plane::Vec2& point) {
     for (std::size_t k = 0; k < corners.size(); ++k) {
-        const Vec2 side = corners[(k + 1) % corners.size()] - corners[k];
-        const Vec2 to = point - corners[k];
+        const plane::Vec2 side = corners[(k + 1) % corners.size()] - corners[k];
+        const plane::Vec2 to = point - corners[k];
         if (side.x() * to.y() - side.y() * to.x() < 0) return false;
     }
     return true;
@@ -41,37 +41,38 @@ TEST(SpacePicture, ShowsFacesTurnedToTheViewer) {
 }
 
 /// The directions of shown_faces(), and the distance of a face of the tile towards the viewer.
-const Vec3 kTowards = Vec3(0.5, -0.8, 0.46).normalized();
+const space::Vec3 kTowards = space::Vec3(0.5, -0.8, 0.46).normalized();
 
 /// The last painted face at a point is the nearest one, which a search of all faces finds.
 TEST(SpacePicture, PaintsTheNearestFaceLast) {
     const SpaceTile tile = testing::random_space_tile(30);
     const std::vector<ShownFace> faces = shown_faces(tile);
-    const Vec3 right = Vec3::UnitZ().cross(kTowards).normalized();
-    const Vec3 up = kTowards.cross(right);
+    const space::Vec3 right = space::Vec3::UnitZ().cross(kTowards).normalized();
+    const space::Vec3 up = kTowards.cross(right);
     int n_tested = 0;
     for (const ShownFace& sample : faces) {
-        Vec2 point = Vec2::Zero();
-        for (const Vec2& corner : sample.corners) point += corner / double(sample.corners.size());
+        plane::Vec2 point = plane::Vec2::Zero();
+        for (const plane::Vec2& corner : sample.corners)
+            point += corner / double(sample.corners.size());
         const ShownFace* last = nullptr;
         for (const ShownFace& face : faces) {
             if (contains(face.corners, point)) last = &face;
         }
         double nearest = -1e300;
-        std::vector<Vec2> expected;
+        std::vector<plane::Vec2> expected;
         for (int f = tile.mesh.n_inner_faces(); f < tile.mesh.n_faces(); ++f) {
-            std::vector<Vec2> corners;
-            Vec3 sum = Vec3::Zero();
-            Vec3 normal = Vec3::Zero();
+            std::vector<plane::Vec2> corners;
+            space::Vec3 sum = space::Vec3::Zero();
+            space::Vec3 normal = space::Vec3::Zero();
             const auto face = tile.mesh.faces[f];
             for (std::size_t k = 0; k < face.size(); ++k) {
-                const Vec3& p = tile.mesh.points[face[k]];
+                const space::Vec3& p = tile.mesh.points[face[k]];
                 corners.emplace_back(p.dot(right), p.dot(up));
                 sum += p;
                 normal += p.cross(tile.mesh.points[face[(k + 1) % face.size()]]);
             }
             if (normal.dot(kTowards) <= 0 || !contains(corners, point)) continue;
-            const Vec3 origin = right * point.x() + up * point.y();
+            const space::Vec3 origin = right * point.x() + up * point.y();
             const double depth =
                 (sum / double(face.size()) - origin).dot(normal) / kTowards.dot(normal);
             if (depth > nearest) {
@@ -88,7 +89,7 @@ TEST(SpacePicture, PaintsTheNearestFaceLast) {
 
 TEST(SpacePicture, NamesTheNumbersOfFaces) {
     const SpaceTile tile =
-        testing::tile_of({"octahedra", SpaceLattice::box(1, 1, 1), testing::lattice_points(16)});
+        testing::tile_of({"octahedra", space::Lattice::box(1, 1, 1), testing::lattice_points(16)});
     EXPECT_THAT(encode_space_svg(tile, "t.svg").front().bytes, HasSubstr(">14 faces: 16<"));
 }
 

@@ -26,7 +26,7 @@ using ::testing::Not;
 using ::testing::StartsWith;
 using testing::triangle_grid_tile;
 
-std::string svg(const Tile& tile, const FileOptions& options = {}) {
+std::string svg(const plane::Tile& tile, const FileOptions& options = {}) {
     return encode_svg(tile, options, "t.svg").at(0).bytes;
 }
 
@@ -40,7 +40,7 @@ std::vector<std::string> all_matches(const std::string& text, const std::string&
 }
 
 /// Width and height of the canvas.
-Vec2 canvas(const std::string& picture) {
+plane::Vec2 canvas(const std::string& picture) {
     const std::smatch match = [&] {
         static const std::regex kViewBox(R"re(viewBox="0 0 ([\d.]+) ([\d.]+)")re");
         std::smatch result;
@@ -51,8 +51,8 @@ Vec2 canvas(const std::string& picture) {
 }
 
 /// Returns every point of every path.
-std::vector<Vec2> path_points(const std::string& picture) {
-    std::vector<Vec2> points;
+std::vector<plane::Vec2> path_points(const std::string& picture) {
+    std::vector<plane::Vec2> points;
     static const std::regex kPoint(R"([ML](-?[\d.]+) (-?[\d.]+))");
     for (std::sregex_iterator at(picture.begin(), picture.end(), kPoint), end; at != end; ++at) {
         points.emplace_back(std::stod((*at)[1]), std::stod((*at)[2]));
@@ -61,18 +61,19 @@ std::vector<Vec2> path_points(const std::string& picture) {
 }
 
 TEST(Svg, FitsTheCanvasAtAnyScaleAndAspect) {
-    for (const Vec2& size : {Vec2(1, 1), Vec2(20, 1), Vec2(1, 20), Vec2(1e6, 1e6), Vec2(1e-3, 2e-3),
-                             Vec2(1, 1000), Vec2(1e59, 1e59)}) {
-        for (const Tile& tile :
-             {grid_tile(Lattice::rectangle(size.x(), size.y()), 3, 2),
-              triangle_grid_tile(Lattice::rectangle(size.x(), size.y()), 3, 2)}) {
+    for (const plane::Vec2& size :
+         {plane::Vec2(1, 1), plane::Vec2(20, 1), plane::Vec2(1, 20), plane::Vec2(1e6, 1e6),
+          plane::Vec2(1e-3, 2e-3), plane::Vec2(1, 1000), plane::Vec2(1e59, 1e59)}) {
+        for (const plane::Tile& tile :
+             {grid_tile(plane::Lattice::rectangle(size.x(), size.y()), 3, 2),
+              triangle_grid_tile(plane::Lattice::rectangle(size.x(), size.y()), 3, 2)}) {
             const std::string picture = svg(tile);
-            const Vec2 edge = canvas(picture);
+            const plane::Vec2 edge = canvas(picture);
             EXPECT_THAT(edge.maxCoeff(), Le(1700));
             EXPECT_THAT(edge.minCoeff(), Ge(100));
-            const std::vector<Vec2> points = path_points(picture);
+            const std::vector<plane::Vec2> points = path_points(picture);
             EXPECT_THAT(points.size(), Ge(4u * 6u));
-            for (const Vec2& p : points) {
+            for (const plane::Vec2& p : points) {
                 EXPECT_TRUE((p.array() >= 19.99).all() &&
                             (p.array() <= edge.array() - 19.99).all());
             }
@@ -81,16 +82,16 @@ TEST(Svg, FitsTheCanvasAtAnyScaleAndAspect) {
 }
 
 TEST(Svg, TheYAxisPointsUpwards) {
-    Tile tile = grid_tile(Lattice::rectangle(1, 1), 1, 1);
-    const std::vector<Vec2> points = path_points(svg(tile));
-    ASSERT_EQ(tile.points[tile.faces.corners[0]], Vec2(0, 0));
-    ASSERT_EQ(tile.points[tile.faces.corners[2]], Vec2(1, 1));
+    plane::Tile tile = grid_tile(plane::Lattice::rectangle(1, 1), 1, 1);
+    const std::vector<plane::Vec2> points = path_points(svg(tile));
+    ASSERT_EQ(tile.points[tile.faces.corners[0]], plane::Vec2(0, 0));
+    ASSERT_EQ(tile.points[tile.faces.corners[2]], plane::Vec2(1, 1));
     EXPECT_GT(points[2].x(), points[0].x());
     EXPECT_LT(points[2].y(), points[0].y());
 }
 
 TEST(Svg, CellsHaveTheColourOfTheirSides) {
-    const std::string picture = svg(grid_tile(Lattice::rectangle(1, 1), 3, 2));
+    const std::string picture = svg(grid_tile(plane::Lattice::rectangle(1, 1), 3, 2));
     const auto fills = all_matches(picture, R"re(<path fill="([^"]+)")re");
     EXPECT_THAT(fills, ::testing::ElementsAre(hex(side_colour(4))));
     EXPECT_THAT(picture, HasSubstr("4 sides: 6<"));
@@ -98,7 +99,7 @@ TEST(Svg, CellsHaveTheColourOfTheirSides) {
 }
 
 TEST(Svg, GrainsHaveABoundaryBetweenSites) {
-    Tile tile = testing::grain_grid_tile(Lattice::rectangle(1, 1), 3, 2);
+    plane::Tile tile = testing::grain_grid_tile(plane::Lattice::rectangle(1, 1), 3, 2);
     tile.whole_sides.assign(std::size_t(tile.n_faces()), 5);
     const std::string picture = svg(tile, {.colouring = Colouring::kSides});
     EXPECT_THAT(picture, HasSubstr("<title>Periodic grains, 12 triangles</title>"));
@@ -111,7 +112,7 @@ TEST(Svg, GrainsHaveABoundaryBetweenSites) {
 }
 
 TEST(Svg, PiecesWithoutTheirSiteHaveNoDot) {
-    Tile tile = grid_tile(Lattice::rectangle(1, 1), 2, 1);
+    plane::Tile tile = grid_tile(plane::Lattice::rectangle(1, 1), 2, 1);
     tile.site_points = {{0.25, 0.5}, {0.25, 0.5}};
     const std::size_t both = path_points(svg(tile)).size();
     tile.whole_sides = {4, 4};
@@ -119,9 +120,9 @@ TEST(Svg, PiecesWithoutTheirSiteHaveNoDot) {
 }
 
 TEST(Svg, TheSeamOfEachTranslationHasOneColour) {
-    Tile tile = grid_tile(Lattice({1, 0}, {0.37, 0.81}), 3, 2);
+    plane::Tile tile = grid_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 3, 2);
     for (std::size_t k = 0; k < tile.edge_pairs.size(); k += 2) {
-        const EdgePair pair = tile.edge_pairs[k];
+        const plane::EdgePair pair = tile.edge_pairs[k];
         tile.edge_pairs[k] = {pair.w1, pair.w0, pair.v1, pair.v0, -pair.offset};
     }
     const std::string picture = svg(tile);
@@ -136,10 +137,10 @@ TEST(Svg, TheSeamOfEachTranslationHasOneColour) {
 }
 
 TEST(Svg, MarksTheSitesThatAreNotRegular) {
-    const std::string regular = svg(triangle_grid_tile(Lattice::rectangle(1, 1), 3, 2));
+    const std::string regular = svg(triangle_grid_tile(plane::Lattice::rectangle(1, 1), 3, 2));
     EXPECT_THAT(regular, HasSubstr("valence 6: 6<"));
     EXPECT_THAT(regular, Not(HasSubstr("stroke=\"" + hex(side_colour(6)))));
-    Tile tile = triangle_grid_tile(Lattice::rectangle(1, 1), 3, 3);
+    plane::Tile tile = triangle_grid_tile(plane::Lattice::rectangle(1, 1), 3, 3);
     // Flip the diagonal of the first square.
     tile.faces.corners[2] = 4;
     tile.faces.corners[3] = 1;
@@ -150,12 +151,13 @@ TEST(Svg, MarksTheSitesThatAreNotRegular) {
 }
 
 TEST(Svg, ALongBasisIsDrawnByItsReducedDomain) {
-    EXPECT_THAT(svg(grid_tile(Lattice({1, 0}, {0.4, 1}), 3, 2)), HasSubstr(">domain<"));
-    EXPECT_THAT(svg(grid_tile(Lattice({1, 0}, {7, 1}), 3, 2)), HasSubstr(">reduced domain<"));
+    EXPECT_THAT(svg(grid_tile(plane::Lattice({1, 0}, {0.4, 1}), 3, 2)), HasSubstr(">domain<"));
+    EXPECT_THAT(svg(grid_tile(plane::Lattice({1, 0}, {7, 1}), 3, 2)),
+                HasSubstr(">reduced domain<"));
 }
 
 TEST(Svg, NoElementIsTooLongForParsers) {
-    std::istringstream lines(svg(grid_tile(Lattice::rectangle(1, 1), 250, 200)));
+    std::istringstream lines(svg(grid_tile(plane::Lattice::rectangle(1, 1), 250, 200)));
     std::size_t longest = 0;
     std::size_t cells = 0;
     for (std::string line; std::getline(lines, line);) {
@@ -169,7 +171,7 @@ TEST(Svg, NoElementIsTooLongForParsers) {
 }
 
 TEST(Svg, NumbersArePlainDecimals) {
-    for (const Lattice& lattice : testing::awkward_lattices()) {
+    for (const plane::Lattice& lattice : testing::awkward_lattices()) {
         const std::string picture = svg(grid_tile(lattice, 3, 2));
         EXPECT_THAT(picture, StartsWith("<svg xmlns"));
         EXPECT_TRUE(all_matches(picture, R"((\d\.\d{4,}|\de[+-]?\d|nan|inf|-0[ "]))").empty());
@@ -178,14 +180,14 @@ TEST(Svg, NumbersArePlainDecimals) {
 }
 
 /// A grid whose columns become wider to the right, by the ratio 1:3.
-Tile graded_tile() {
-    Tile tile = grid_tile(Lattice::rectangle(1, 1), 8, 8);
-    for (Vec2& p : tile.points) p.x() = (p.x() + p.x() * p.x()) / 2;
+plane::Tile graded_tile() {
+    plane::Tile tile = grid_tile(plane::Lattice::rectangle(1, 1), 8, 8);
+    for (plane::Vec2& p : tile.points) p.x() = (p.x() + p.x() * p.x()) / 2;
     return tile;
 }
 
 TEST(Svg, GrainsAreColouredOneByOne) {
-    const Tile tile = testing::grain_grid_tile(Lattice::rectangle(1, 1), 3, 3);
+    const plane::Tile tile = testing::grain_grid_tile(plane::Lattice::rectangle(1, 1), 3, 3);
     const std::string picture = svg(tile);
     const auto fills = all_matches(picture, R"re(<path fill="([^"]+)")re");
     EXPECT_THAT(fills.size(), Ge(4u));
@@ -196,8 +198,8 @@ TEST(Svg, GrainsAreColouredOneByOne) {
 TEST(Svg, DensitiesColourCellsAndSites) {
     const std::vector<double> densities{1, 2, 4, 8, 16, 32};
     const FileOptions options{.site_densities = densities, .colouring = Colouring::kDensity};
-    for (const Tile& tile : {grid_tile(Lattice::rectangle(1, 1), 3, 2),
-                             triangle_grid_tile(Lattice::rectangle(1, 1), 3, 2)}) {
+    for (const plane::Tile& tile : {grid_tile(plane::Lattice::rectangle(1, 1), 3, 2),
+                                    triangle_grid_tile(plane::Lattice::rectangle(1, 1), 3, 2)}) {
         const std::string picture = svg(tile, options);
         EXPECT_THAT(picture, HasSubstr(" by density</title>"));
         for (const char* label : {">1 to 2: 1<", ">8 to 16: 1<", ">32 to 64: 1<"}) {
@@ -207,7 +209,7 @@ TEST(Svg, DensitiesColourCellsAndSites) {
 }
 
 TEST(Svg, TheBackgroundIsNoneOrTheChosenOne) {
-    const Tile tile = grid_tile(Lattice::rectangle(1, 1), 3, 2);
+    const plane::Tile tile = grid_tile(plane::Lattice::rectangle(1, 1), 3, 2);
     const auto with = [&](const char* colour) {
         return svg(tile, {.background = colour_of_hex(colour)});
     };
@@ -238,7 +240,7 @@ double advance(char c) {
 /// Expects that the canvas holds all of the text, in a wide font; bold text is 1.11 times as wide.
 void expect_text_inside(const std::string& picture) {
     static const std::regex kText(R"re(<text x="([\d.]+)" y="([\d.]+)"([^>]*)>([^<]*)<)re");
-    const Vec2 edge = canvas(picture);
+    const plane::Vec2 edge = canvas(picture);
     int n_texts = 0;
     for (std::sregex_iterator at(picture.begin(), picture.end(), kText), end; at != end; ++at) {
         double width = 0;
@@ -252,16 +254,17 @@ void expect_text_inside(const std::string& picture) {
 }
 
 TEST(Svg, TheLegendIsNeverCutOff) {
-    for (const Lattice& lattice :
-         {Lattice::rectangle(1, 1), Lattice::rectangle(40, 1), Lattice::rectangle(1, 40),
-          Lattice::rectangle(1, 1.7), Lattice({1, 0}, {0.37, 0.81}), Lattice({1, 0}, {7, 0.3})}) {
+    for (const plane::Lattice& lattice :
+         {plane::Lattice::rectangle(1, 1), plane::Lattice::rectangle(40, 1),
+          plane::Lattice::rectangle(1, 40), plane::Lattice::rectangle(1, 1.7),
+          plane::Lattice({1, 0}, {0.37, 0.81}), plane::Lattice({1, 0}, {7, 0.3})}) {
         for (int n = 1; n <= 8; ++n) {
-            for (const Tile& tile :
+            for (const plane::Tile& tile :
                  {grid_tile(lattice, n, 1), triangle_grid_tile(lattice, n, 2),
                   grid_tile(lattice, 1, n), testing::grain_grid_tile(lattice, n, 2)}) {
                 const std::vector<double> densities{1e-7, 1234567, 1, 3.14159};
-                const CellMaterials phases{.phase_names = {"ferrite", "austenite"},
-                                           .site_phase = {0, 1, 0, 1, 0, 1, 0, 1, 0}};
+                const plane::CellMaterials phases{.phase_names = {"ferrite", "austenite"},
+                                                  .site_phase = {0, 1, 0, 1, 0, 1, 0, 1, 0}};
                 const std::vector<int> orbits{0, 1, 2, 3, 4, 5, 6};
                 for (const ColouringRow& row : kColourings) {
                     expect_text_inside(svg(tile, {.site_densities = densities,
@@ -291,7 +294,7 @@ TEST(Svg, GradedPicturesShowSizesFromBlueToYellow) {
 
 TEST(Svg, GradedPicturesOfEqualCellsHaveOneClass) {
     const std::string picture =
-        svg(grid_tile(Lattice::rectangle(1, 1), 4, 4), {.colouring = Colouring::kSize});
+        svg(grid_tile(plane::Lattice::rectangle(1, 1), 4, 4), {.colouring = Colouring::kSize});
     EXPECT_THAT(all_matches(picture, R"( h: (\d+)<)").size(), Le(2u));
 }
 

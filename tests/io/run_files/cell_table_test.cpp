@@ -6,16 +6,16 @@
 
 #include "io/bytes/bad_file.hpp"
 #include "io/run_files/cell_reader.hpp"
-#include "mesher/mesh/voronoi.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
 
 namespace pcvt {
 namespace {
 
 CellRows example_rows(bool weighted, bool with_materials) {
-    const Sites sites(Lattice({1, 0}, {0.3, 0.9}),
-                      uniform_points(Lattice({1, 0}, {0.3, 0.9}), 9, 1));
+    const plane::Sites sites(plane::Lattice({1, 0}, {0.3, 0.9}),
+                             uniform_points(plane::Lattice({1, 0}, {0.3, 0.9}), 9, 1));
     CellRows rows{.sites = sites.coordinates(),
-                  .cells = cell_table(cell_mesh(PeriodicDelaunay(sites)))};
+                  .cells = cell_table(cell_mesh(plane::PeriodicDelaunay(sites)))};
     if (weighted) rows.weights = Eigen::VectorXd::LinSpaced(9, -0.3, 0.4);
     if (!with_materials) return rows;
     rows.materials.phase_names = {"a", "b-2"};

@@ -18,12 +18,12 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-double value(const std::string& expression, const DensityPoint& point) {
+double value(const std::string& expression, const plane::DensityPoint& point) {
     return testing::value_at(expression_density(expression).make_function(), point);
 }
 
 TEST(DensityExpression, KnowsItsVariablesFunctionsAndConstants) {
-    const DensityPoint p{3, 5, 0.25, 0.75};
+    const plane::DensityPoint p{3, 5, 0.25, 0.75};
     EXPECT_EQ(value("1000*x + 100*y + 10*u + v", p), 3000 + 500 + 2.5 + 0.75);
     EXPECT_DOUBLE_EQ(value("exp(sin(2*pi*u) + cos(2*pi*v))", p),
                      std::exp(1 + std::cos(1.5 * std::numbers::pi)));
@@ -62,7 +62,7 @@ TEST(DensityExpression, CallsThePortableFunctions) {
 }
 
 TEST(DensityExpression, HasNoMemory) {
-    const DensityFunction f = expression_density("1 + u").make_function();
+    const plane::DensityFunction f = expression_density("1 + u").make_function();
     EXPECT_EQ(testing::value_at(f, {0, 0, 0.5, 0}), 1.5);
     EXPECT_EQ(testing::value_at(f, {0, 0, 0.25, 0}), 1.25);
     EXPECT_EQ(testing::value_at(f, {0, 0, 0.5, 0}), 1.5);
@@ -127,12 +127,12 @@ TEST(DensityExpression, NumbersHaveAPointInEveryLocale) {
 }
 
 TEST(DensityExpression, FunctionsOfOneDensityDoNotDisturbEachOther) {
-    const Density density = expression_density("u + 0 * sin(v)");
+    const plane::Density density = expression_density("u + 0 * sin(v)");
     std::vector<std::thread> team;
     std::vector<int> wrong(4, 0);
     for (int t = 0; t < 4; ++t) {
         team.emplace_back([&, t] {
-            const DensityFunction f = density.make_function();
+            const plane::DensityFunction f = density.make_function();
             for (int k = 1; k < 5000; ++k)
                 wrong[t] += testing::value_at(f, {0, 0, k * 1e-4 + t, 0}) != k * 1e-4 + t;
         });

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "io/tiles/tile_file.hpp"
-#include "mesher/density/density_survey.hpp"
+#include "mesher/plane/density/density_survey.hpp"
 #include "tests/support/densities.hpp"
 #include "tests/support/png_bytes.hpp"
 
@@ -111,12 +111,12 @@ TEST(PngImage, HugePicturesAreRefusedByTheirHeader) {
     }
 }
 
-double at(const Density& density, double u, double v) {
+double at(const plane::Density& density, double u, double v) {
     return testing::value_at(density.make_function(), {0, 0, u, v});
 }
 
 TEST(DensityImage, PixelCentresLieAtHalfPixelsAndRowZeroIsOnTop) {
-    const Density density = image_density({2, 2, {0, 0.25F, 0.5F, 1}}, {1, 5});
+    const plane::Density density = image_density({2, 2, {0, 0.25F, 0.5F, 1}}, {1, 5});
     EXPECT_DOUBLE_EQ(at(density, 0.25, 0.75), 1);
     EXPECT_DOUBLE_EQ(at(density, 0.75, 0.75), 2);
     EXPECT_DOUBLE_EQ(at(density, 0.25, 0.25), 3);
@@ -126,20 +126,20 @@ TEST(DensityImage, PixelCentresLieAtHalfPixelsAndRowZeroIsOnTop) {
 }
 
 TEST(DensityImage, IsBilinearAcrossTheSeam) {
-    const Density density = image_density({4, 2, {0, 1, 1, 0.5F, 0, 0, 0, 0}}, {1, 2});
+    const plane::Density density = image_density({4, 2, {0, 1, 1, 0.5F, 0, 0, 0, 0}}, {1, 2});
     EXPECT_DOUBLE_EQ(at(density, 0, 0.75), 1.25);
     EXPECT_DOUBLE_EQ(at(density, 0x1.fffffffffffffp-1, 0.75), 1.25);
     EXPECT_DOUBLE_EQ(at(density, 0.0625, 0.75), 1.125);
     EXPECT_DOUBLE_EQ(at(density, 0.125, 0), 1);
     EXPECT_DOUBLE_EQ(at(density, 0.375, 0), 1.5);
     EXPECT_DOUBLE_EQ(at(density, 0.375, 0x1.fffffffffffffp-1), 1.5);
-    const Density dot = image_density({1, 1, {0.5F}}, {1, 2});
+    const plane::Density dot = image_density({1, 1, {0.5F}}, {1, 2});
     EXPECT_DOUBLE_EQ(at(dot, 0.9, 0.1), 1.5);
 }
 
 // Single-precision differences of pixels would bend the density between their centres.
 TEST(DensityImage, IsLinearBetweenTwoCentresToTheLastDigits) {
-    const Density density = image_density({2, 1, {0.1F, 1}}, {0.01, 1});
+    const plane::Density density = image_density({2, 1, {0.1F, 1}}, {0.01, 1});
     for (const double share : {0.125, 0.25, 0.5, 0.875}) {
         const double left = at(density, 0.25, 0.5);
         const double right = at(density, 0.75, 0.5);
@@ -148,8 +148,8 @@ TEST(DensityImage, IsLinearBetweenTwoCentresToTheLastDigits) {
 }
 
 TEST(DensityImage, IntegratesToTheMeanOfItsPixels) {
-    const Density density = image_density({3, 2, {0, 1, 0.25F, 0.5F, 1, 0}}, {1, 9});
-    EXPECT_NEAR(integral(Lattice::rectangle(2, 3), density), 6 * (1 + 8 * 2.75 / 6), 1e-12);
+    const plane::Density density = image_density({3, 2, {0, 1, 0.25F, 0.5F, 1, 0}}, {1, 9});
+    EXPECT_NEAR(integral(plane::Lattice::rectangle(2, 3), density), 6 * (1 + 8 * 2.75 / 6), 1e-12);
 }
 
 }  // namespace

@@ -27,17 +27,17 @@ TEST(InclusionReader, ShapesTagsAndLinesAreRead) {
         "polygon glass 0 0 1 0 0.5 1\n");
     EXPECT_THAT(file.tags, ElementsAre("glass", "carbon"));
     ASSERT_EQ(file.inclusions.size(), 3U);
-    const auto& circle = std::get<Circle>(file.inclusions[0].shape);
-    EXPECT_EQ(circle.centre, Vec2(0.5, -0.25));
+    const auto& circle = std::get<plane::Circle>(file.inclusions[0].shape);
+    EXPECT_EQ(circle.centre, plane::Vec2(0.5, -0.25));
     EXPECT_EQ(circle.radius, 0.1);
-    const auto& ellipse = std::get<Ellipse>(file.inclusions[1].shape);
-    EXPECT_EQ(ellipse.centre, Vec2(1, 2));
+    const auto& ellipse = std::get<plane::Ellipse>(file.inclusions[1].shape);
+    EXPECT_EQ(ellipse.centre, plane::Vec2(1, 2));
     EXPECT_THAT((std::array{ellipse.a, ellipse.b, ellipse.degrees}), ElementsAre(0.3, 0.2, 45));
-    EXPECT_THAT(std::get<Polygon>(file.inclusions[2].shape),
-                ElementsAre(Vec2(0, 0), Vec2(1, 0), Vec2(0.5, 1)));
+    EXPECT_THAT(std::get<plane::Polygon>(file.inclusions[2].shape),
+                ElementsAre(plane::Vec2(0, 0), plane::Vec2(1, 0), plane::Vec2(0.5, 1)));
     std::vector<int> tags;
     std::vector<int> lines;
-    for (const Inclusion& inclusion : file.inclusions) {
+    for (const plane::Inclusion& inclusion : file.inclusions) {
         tags.push_back(inclusion.tag);
         lines.push_back(inclusion.line);
     }
@@ -68,10 +68,10 @@ TEST(InclusionReader, EachFaultNamesItsLineAndARemedy) {
 }
 
 TEST(InclusionReader, FibresHaveAFractionANumberAndPerhapsAGap) {
-    const RandomCircles plain = parse_fibres("0.5,30");
+    const plane::RandomCircles plain = parse_fibres("0.5,30");
     EXPECT_EQ(plain.fraction, 0.5);
     EXPECT_EQ(plain.n, 30);
-    EXPECT_EQ(plain.gap, RandomCircles{}.gap);
+    EXPECT_EQ(plain.gap, plane::RandomCircles{}.gap);
     EXPECT_EQ(parse_fibres("0.5,30,0.015").gap, 0.015);
     for (const char* const text : {"", "0.5", "0.5,x", "0.5,30,", "0.5,30,0.1,1"}) {
         EXPECT_THROW(parse_fibres(text), InvalidInput) << text;

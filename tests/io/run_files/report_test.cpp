@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 Report example_report() {
     return {"0.1.0",
             1000,
-            Lattice({1, 0}, {0.37, 0.81}),
+            plane::Lattice({1, 0}, {0.37, 0.81}),
             ~std::uint64_t{0},
             "lbfgs",
             "random",
@@ -81,7 +81,8 @@ TEST(Report, UnknownValuesAreNull) {
 
 TEST(Report, APatternIsTheLastKey) {
     Report report = example_report();
-    report.pattern = Report::Pattern{Lattice({0.5, 0.5}, {-0.5, 0.5}), {2, 1, 1}, 0.25, "no", {}};
+    report.pattern =
+        Report::Pattern{plane::Lattice({0.5, 0.5}, {-0.5, 0.5}), {2, 1, 1}, 0.25, "no", {}};
     const Json json = Json::parse(encode_report(report));
     EXPECT_EQ(json.back().dump(),
               "{\"basis\":[[0.5,0.5],[-0.5,0.5]],\"hermite\":[2,1,1],\"energy\":0.25,"

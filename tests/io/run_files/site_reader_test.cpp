@@ -4,7 +4,7 @@
 #include <rapidcheck.h>
 
 #include "io/run_files/site_writer.hpp"
-#include "mesher/lattice/sites.hpp"
+#include "mesher/plane/geometry/sites.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -29,9 +29,9 @@ TEST(SiteReader, SitesAndTheirLinesAreRead) {
     const SiteFile file =
         parse_sites<2>("s.txt", "# head\n0.25 0.5\n\n -1.5e1\t+2 # tail\n3 4#x\n");
     ASSERT_EQ(file.points.cols(), 3);
-    EXPECT_EQ(file.points.col(0), Vec2(0.25, 0.5));
-    EXPECT_EQ(file.points.col(1), Vec2(-15, 2));
-    EXPECT_EQ(file.points.col(2), Vec2(3, 4));
+    EXPECT_EQ(file.points.col(0), plane::Vec2(0.25, 0.5));
+    EXPECT_EQ(file.points.col(1), plane::Vec2(-15, 2));
+    EXPECT_EQ(file.points.col(2), plane::Vec2(3, 4));
     EXPECT_THAT(file.lines, ElementsAre(2, 4, 5));
     EXPECT_EQ(file.name, "s.txt");
 }
@@ -40,8 +40,8 @@ TEST(SiteReader, LineEndsMarksAndSignsOfZeroAreAccepted) {
     const SiteFile file =
         parse_sites<2>("s.txt", "\xEF\xBB\xBF-0.0 1\r\n# c\r\n\t7\t-0\r\n0.1 0.2");
     ASSERT_EQ(file.points.cols(), 3);
-    EXPECT_EQ(file.points.col(0), Vec2(0, 1));
-    EXPECT_EQ(file.points.col(1), Vec2(7, 0));
+    EXPECT_EQ(file.points.col(0), plane::Vec2(0, 1));
+    EXPECT_EQ(file.points.col(1), plane::Vec2(7, 0));
     EXPECT_THAT(file.lines, ElementsAre(1, 3, 4));
 }
 
@@ -97,19 +97,19 @@ TEST(SiteReader, DuplicatesAreReportedWithTheirLines) {
 
 TEST(SiteReader, WrittenSitesReadBackExactlyAndInOrder) {
     const testing::TemporaryFolder folder;
-    Points points(2, 5);
+    plane::Points points(2, 5);
     points << 0.1, -0.0, 1e-310, 1e300, 1.0 / 3, 0.7, 5, -2e-9, -1, 2.0 / 3;
     testing::write_bytes(folder / "s.txt", encode_sites(points));
     EXPECT_EQ(read_sites<2>(folder / "s.txt").points, points);
 }
 
 TEST(SiteReader, ATextReadsBackAsItsOwnSitesOnly) {
-    Points points(2, 3);
+    plane::Points points(2, 3);
     points << 0.1, -0.0, 1.0 / 3, 0.7, 5, 2.0 / 3;
     const std::string text = encode_sites(points);
     EXPECT_TRUE(reads_back("s.txt", text, points));
     EXPECT_FALSE(reads_back("s.txt", text + "0 0\n", points));
-    EXPECT_FALSE(reads_back("s.txt", text, Points(points.leftCols(2))));
+    EXPECT_FALSE(reads_back("s.txt", text, plane::Points(points.leftCols(2))));
     points(1, 2) = std::nextafter(points(1, 2), 1);
     EXPECT_FALSE(reads_back("s.txt", text, points));
     EXPECT_THROW(reads_back("s.txt", "0.1 0.7 2\n", points), BadFile);
@@ -117,7 +117,7 @@ TEST(SiteReader, ATextReadsBackAsItsOwnSitesOnly) {
 
 TEST(SiteReader, DamagedTextGivesSitesOrAFaultAndNothingElse) {
     std::mt19937_64 random(1);
-    const std::string text = encode_sites(uniform_points(Lattice({1, 0}, {0, 1}), 20, 0));
+    const std::string text = encode_sites(uniform_points(plane::Lattice({1, 0}, {0, 1}), 20, 0));
     for (int k = 0; k < 5000; ++k) {
         try {
             EXPECT_TRUE(parse_sites<2>("s.txt", testing::mutated(text, random)).points.allFinite());

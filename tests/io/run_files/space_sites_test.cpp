@@ -10,14 +10,14 @@ namespace pcvt {
 namespace {
 
 TEST(SpaceSiteReader, GivesBackTheSameSites) {
-    const Points3 points = uniform_points(SpaceLattice::box(1, 2, 3), 50, 1);
+    const space::Points points = uniform_points(space::Lattice::box(1, 2, 3), 50, 1);
     EXPECT_EQ(parse_sites<3>("s.txt", encode_sites(points)).points, points);
 }
 
 TEST(SpaceSiteReader, ReadsCommentsAndBlankLines) {
     const SpaceSiteFile file = parse_sites<3>("s.txt", "# head\r\n\r\n1 2\t3 # one\n4 5 6");
     EXPECT_EQ(file.lines, (std::vector<int>{3, 4}));
-    EXPECT_EQ(file.points.col(1), Vec3(4, 5, 6));
+    EXPECT_EQ(file.points.col(1), space::Vec3(4, 5, 6));
 }
 
 TEST(SpaceSiteReader, NamesTheLineOfAFault) {

@@ -7,7 +7,7 @@
 #include "io/elements/triangle_elements.hpp"
 #include "io/solvers/inp_reader.hpp"
 #include "io/solvers/inp_writer.hpp"
-#include "mesher/tile/build_tile.hpp"
+#include "mesher/plane/tile/build_tile.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
@@ -26,7 +26,7 @@ std::string inp_triangles() {
     return encode_inp(testing::triangle_grid_tile(kSquare, 1, 1), {}, "t.inp")[0].bytes;
 }
 
-TileFile read_inp(const std::string& text, const std::optional<Lattice>& lattice = {}) {
+TileFile read_inp(const std::string& text, const std::optional<plane::Lattice>& lattice = {}) {
     return decode_inp({{"t.inp", text}}, lattice);
 }
 
@@ -40,9 +40,10 @@ std::string inp_fault_with(const std::string& piece, const std::string& other) {
 }
 
 TEST(Inp, TilesReadBackExactlyWithTheirVertexPairs) {
-    const std::vector<Lattice> fitting = {Lattice({1, 0}, {0, 1}), Lattice({2, 0}, {0.25, 0.875}),
-                                          Lattice({0, 1}, {1, 0})};
-    for (const Tile& tile : testing::solver_tiles(fitting)) {
+    const std::vector<plane::Lattice> fitting = {plane::Lattice({1, 0}, {0, 1}),
+                                                 plane::Lattice({2, 0}, {0.25, 0.875}),
+                                                 plane::Lattice({0, 1}, {1, 0})};
+    for (const plane::Tile& tile : testing::solver_tiles(fitting)) {
         const auto files = encode_inp(tile, {}, "dir/t.inp");
         ASSERT_EQ(files.size(), 1U);
         EXPECT_EQ(files[0].path, "dir/t.inp");
@@ -54,7 +55,8 @@ TEST(Inp, TilesReadBackExactlyWithTheirVertexPairs) {
 
 TEST(Inp, EachTiedNodeHasOneEquationPerDirection) {
     const std::string text =
-        encode_inp(testing::triangle_grid_tile(Lattice({2, 0}, {1, 3}), 2, 1), {}, "t.inp")[0]
+        encode_inp(testing::triangle_grid_tile(plane::Lattice({2, 0}, {1, 3}), 2, 1), {},
+                   "t.inp")[0]
             .bytes;
     EXPECT_THAT(text, HasSubstr("*ELEMENT,TYPE=CPE3,ELSET=EALL\n1,1,2,5\n2,1,5,4\n"));
     EXPECT_THAT(text, HasSubstr("*NODE,NSET=CONTROL_1\n7,"));
@@ -65,8 +67,8 @@ TEST(Inp, EachTiedNodeHasOneEquationPerDirection) {
 }
 
 TEST(Inp, ALineHoldsAtMostEightIdsAndANumberTwentyCharacters) {
-    const Lattice lattice({1, 0}, {1.0 / 3, 2.0 / 3});
-    Tile tile = testing::triangle_grid_tile(lattice, 30, 30);
+    const plane::Lattice lattice({1, 0}, {1.0 / 3, 2.0 / 3});
+    plane::Tile tile = testing::triangle_grid_tile(lattice, 30, 30);
     const std::string text = encode_inp(tile, {}, "t.inp")[0].bytes;
     std::size_t n_fields = 0;
     std::size_t length = 0;
@@ -77,12 +79,12 @@ TEST(Inp, ALineHoldsAtMostEightIdsAndANumberTwentyCharacters) {
         EXPECT_LE(length, 20U);
         EXPECT_LE(n_fields, 11U);
     }
-    EXPECT_NO_THROW(prove_tile(read_inp(text).tile, Precision::kDouble));
+    EXPECT_NO_THROW(prove_tile(read_inp(text).tile, plane::Precision::kDouble));
 }
 
 TEST(Inp, NumbersBeyondTwentyCharactersAreRefusedOrRoundedWithinTheTolerance) {
-    for (const Lattice& lattice : testing::awkward_lattices()) {
-        const Tile tile = testing::triangle_grid_tile(lattice, 7, 7);
+    for (const plane::Lattice& lattice : testing::awkward_lattices()) {
+        const plane::Tile tile = testing::triangle_grid_tile(lattice, 7, 7);
         if (lattice.a().norm() < 0.1) {
             EXPECT_THROW(encode_inp(tile, {}, "t.inp"), InvalidInput);
             continue;
@@ -94,8 +96,9 @@ TEST(Inp, NumbersBeyondTwentyCharactersAreRefusedOrRoundedWithinTheTolerance) {
 
 TEST(Inp, EachDelaunayCellHasElements) {
     constexpr int kSites = 60;
-    const Sites sites(kSquare, uniform_points(kSquare, kSites, 5));
-    const Tile tile = build_tile(PeriodicDelaunay(sites), {.kind = MeshKind::kDelaunay}).tile;
+    const plane::Sites sites(kSquare, uniform_points(kSquare, kSites, 5));
+    const plane::Tile tile =
+        build_tile(plane::PeriodicDelaunay(sites), {.kind = plane::MeshKind::kDelaunay}).tile;
     const std::vector<SiteId> owners = element_cells(tile);
     const std::string text = encode_inp(tile, {}, "t.inp")[0].bytes;
     for (SiteId s = 0; s < kSites; ++s) {
@@ -107,11 +110,11 @@ TEST(Inp, EachDelaunayCellHasElements) {
                                 [&](int v) { return tile.vertex_site[v] == s; }));
     }
     EXPECT_LT(std::set<SiteId>(owners.begin(), owners.end()).size(), std::size_t{kSites});
-    EXPECT_NO_THROW(prove_tile(read_inp(text).tile, Precision::kDouble));
+    EXPECT_NO_THROW(prove_tile(read_inp(text).tile, plane::Precision::kDouble));
 }
 
 TEST(Inp, CellsMeetAtTheNodesOfTheirSets) {
-    Tile tile = testing::grain_grid_tile(kSquare, 2, 2);
+    plane::Tile tile = testing::grain_grid_tile(kSquare, 2, 2);
     const auto sets = [&] {
         const std::string text = encode_inp(tile, {}, "t.inp")[0].bytes;
         const std::size_t begin = text.find("*NSET,NSET=GRAIN_BOUNDARY\n");
@@ -131,13 +134,13 @@ TEST(Inp, CellsMeetAtTheNodesOfTheirSets) {
 }
 
 TEST(Inp, ElementsAreForPlaneStressOnRequest) {
-    Tile tile = testing::triangle_grid_tile(kSquare, 1, 1);
+    plane::Tile tile = testing::triangle_grid_tile(kSquare, 1, 1);
     EXPECT_THAT(encode_inp(tile, {.element = PlaneElement::kStress}, "t.inp")[0].bytes,
                 HasSubstr("TYPE=CPS3,ELSET=EALL"));
     tile.order = 2;
     const auto files = encode_inp(tile, {.element = PlaneElement::kStress}, "t.inp");
     EXPECT_THAT(files[0].bytes, HasSubstr("TYPE=CPS6,ELSET=EALL"));
-    EXPECT_NO_THROW(prove_tile(decode_inp(files, std::nullopt).tile, Precision::kDouble));
+    EXPECT_NO_THROW(prove_tile(decode_inp(files, std::nullopt).tile, plane::Precision::kDouble));
 }
 
 TEST(Inp, PolygonsAreRefusedWithARemedy) {
@@ -225,7 +228,7 @@ TEST(Inp, AWrongTranslationIsRefuted) {
 
 TEST(Inp, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(3);
-    for (const Tile& tile : testing::solver_tiles({kSquare})) {
+    for (const plane::Tile& tile : testing::solver_tiles({kSquare})) {
         const std::string bytes = encode_inp(tile, {}, "t.inp")[0].bytes;
         int n_refused = 0;
         for (int k = 0; k < 300; ++k) {

@@ -12,8 +12,8 @@
 #include "io/solvers/inp_writer.hpp"
 #include "io/solvers/msh_reader.hpp"
 #include "io/solvers/msh_writer.hpp"
-#include "mesher/materials/orientations.hpp"
-#include "mesher/tile/build_tile.hpp"
+#include "mesher/plane/materials/orientations.hpp"
+#include "mesher/plane/tile/build_tile.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/mutation.hpp"
 
@@ -25,27 +25,29 @@ using ::testing::Not;
 
 constexpr int kSites = 20;
 
-Tile grains(Outline outline, int columns = 1) {
-    const Lattice lattice({1, 0}, {0.37, 0.81});
-    return build_tile(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, kSites, 3))),
-                      {.kind = MeshKind::kGrains, .outline = outline, .columns = columns})
+plane::Tile grains(plane::Outline outline, int columns = 1) {
+    const plane::Lattice lattice({1, 0}, {0.37, 0.81});
+    return build_tile(
+               plane::PeriodicDelaunay(plane::Sites(lattice, uniform_points(lattice, kSites, 3))),
+               {.kind = plane::MeshKind::kGrains, .outline = outline, .columns = columns})
         .tile;
 }
 
-CellMaterials all_materials() {
-    CellMaterials materials{.phase_names = {"ferrite", "M-2_x"},
-                            .site_orientation = random_orientations(kSites, 2)};
+plane::CellMaterials all_materials() {
+    plane::CellMaterials materials{.phase_names = {"ferrite", "M-2_x"},
+                                   .site_orientation = plane::random_orientations(kSites, 2)};
     for (int s = 0; s < kSites; ++s) materials.site_phase.push_back(s % 3 == 0 ? 0 : 1);
     return materials;
 }
 
-std::string inp_text(const CellMaterials& materials, SolverJob job = SolverJob::kNone) {
-    return encode_inp(grains(Outline::kWhole), {.materials = &materials, .job = job}, "t.inp")[0]
+std::string inp_text(const plane::CellMaterials& materials, SolverJob job = SolverJob::kNone) {
+    return encode_inp(grains(plane::Outline::kWhole), {.materials = &materials, .job = job},
+                      "t.inp")[0]
         .bytes;
 }
 
-std::string msh_text(const CellMaterials& materials) {
-    return encode_msh(grains(Outline::kWhole), "t.msh", &materials)[0].bytes;
+std::string msh_text(const plane::CellMaterials& materials) {
+    return encode_msh(grains(plane::Outline::kWhole), "t.msh", &materials)[0].bytes;
 }
 
 std::string refusal_of(const std::string& path, const std::string& text) {
@@ -57,10 +59,10 @@ std::string refusal_of(const std::string& path, const std::string& text) {
 }
 
 TEST(MaterialFiles, InputsReadBackPhasesAndOrientations) {
-    for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
+    for (const plane::Outline outline : {plane::Outline::kWhole, plane::Outline::kBox}) {
         for (const int columns : {1, 2}) {
-            const Tile tile = grains(outline, columns);
-            CellMaterials materials = all_materials();
+            const plane::Tile tile = grains(outline, columns);
+            plane::CellMaterials materials = all_materials();
             EXPECT_EQ(
                 decode_inp(encode_inp(tile, {.materials = &materials}, "t.inp"), {}).materials,
                 materials);
@@ -71,14 +73,14 @@ TEST(MaterialFiles, InputsReadBackPhasesAndOrientations) {
             EXPECT_EQ(decode_msh(encode_msh(tile, "t.msh", &materials), {}).materials, materials);
         }
     }
-    CellMaterials turned{.site_orientation = random_orientations(kSites, 2)};
+    plane::CellMaterials turned{.site_orientation = plane::random_orientations(kSites, 2)};
     EXPECT_EQ(refusal_of("t.inp", inp_text(turned)), "");
     EXPECT_THAT(inp_text(turned), HasSubstr("*SOLID SECTION,ELSET=CELL_3,MATERIAL=GRAINS,"
                                             "ORIENTATION=ORI_3\n1.\n"));
 }
 
 TEST(MaterialFiles, EachCellHasTheSectionOfItsPhaseAndTheAxesOfItsOrientation) {
-    const CellMaterials materials = all_materials();
+    const plane::CellMaterials materials = all_materials();
     const std::string text = inp_text(materials);
     for (int s = 0; s < kSites; ++s) {
         const std::string id = std::to_string(s);
@@ -105,7 +107,7 @@ TEST(MaterialFiles, EachCellHasTheSectionOfItsPhaseAndTheAxesOfItsOrientation) {
 }
 
 TEST(MaterialFiles, AJobHasOneMaterialAPhaseAndThreeSteps) {
-    CellMaterials materials = all_materials();
+    plane::CellMaterials materials = all_materials();
     std::string text = inp_text(materials, SolverJob::kElastic);
     EXPECT_THAT(text, HasSubstr("*MATERIAL,NAME=ferrite\n*ELASTIC,TYPE=ORTHO\n231400.,"));
     EXPECT_THAT(text, HasSubstr("*MATERIAL,NAME=M-2_x\n"));
@@ -116,17 +118,17 @@ TEST(MaterialFiles, AJobHasOneMaterialAPhaseAndThreeSteps) {
     EXPECT_THAT(text, HasSubstr("*MATERIAL,NAME=ferrite\n*ELASTIC\n210000.,0.3\n"));
     EXPECT_EQ(refusal_of("t.inp", text), "");
     // A job without materials of its own cells.
-    text = encode_inp(grains(Outline::kBox), {.job = SolverJob::kElastic}, "t.inp")[0].bytes;
+    text = encode_inp(grains(plane::Outline::kBox), {.job = SolverJob::kElastic}, "t.inp")[0].bytes;
     EXPECT_THAT(text, HasSubstr("*SOLID SECTION,ELSET=EALL,MATERIAL=GRAINS\n1.\n"));
     EXPECT_EQ(refusal_of("t.inp", text), "");
 }
 
 TEST(MaterialFiles, AJobHasTheConstantsThatTheUserChooses) {
-    const CellMaterials materials = all_materials();
-    const ElasticChoices choices =
-        parse_elastic_choices("ferrite:0.3333333333333333,-0.25 m-2_x:162.4,92,69,180.7,46.7");
+    const plane::CellMaterials materials = all_materials();
+    const plane::ElasticChoices choices = plane::parse_elastic_choices(
+        "ferrite:0.3333333333333333,-0.25 m-2_x:162.4,92,69,180.7,46.7");
     const std::string text =
-        encode_inp(grains(Outline::kWhole),
+        encode_inp(grains(plane::Outline::kWhole),
                    {.materials = &materials, .job = SolverJob::kElastic, .elastic = choices},
                    "t.inp")[0]
             .bytes;
@@ -167,7 +169,7 @@ TEST(MaterialFiles, InputsWithAnotherPhaseOrOrientationAreRefused) {
 }
 
 TEST(MaterialFiles, TheSectionsOfAUserAreTheirOwn) {
-    const std::string text = encode_inp(grains(Outline::kWhole), {}, "t.inp")[0].bytes;
+    const std::string text = encode_inp(grains(plane::Outline::kWhole), {}, "t.inp")[0].bytes;
     EXPECT_EQ(refusal_of("t.inp", text + "*ELSET,ELSET=PHASE_X\nCELL_1\n*ORIENTATION,NAME=O\n"
                                          "1,0,0,0,1,0\n*SOLID SECTION,ELSET=CELL_0,MATERIAL=X\n"),
               "");
@@ -216,7 +218,7 @@ TEST(MaterialFiles, EachSurfaceIsInTheGroupsOfItsCellAndItsPhase) {
 }
 
 TEST(MaterialFiles, APhaseWithoutCellsHasNoGroup) {
-    CellMaterials materials = all_materials();
+    plane::CellMaterials materials = all_materials();
     materials.phase_names.emplace_back("rare");
     const std::string text = msh_text(materials);
     EXPECT_THAT(text, Not(HasSubstr("phase_rare")));

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "io/elements/triangle_cells.hpp"
-#include "mesher/tile/build_tile.hpp"
+#include "mesher/plane/tile/build_tile.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/solver_tiles.hpp"
 #include "tests/support/tile_equality.hpp"
@@ -20,28 +20,30 @@ using Edge = std::pair<int, int>;
 
 Edge edge(int v, int w) { return {std::min(v, w), std::max(v, w)}; }
 
-Tile tile_of(int n, const TileOptions& options) {
-    const Lattice lattice({1, 0}, {0.3, 0.9});
-    return build_tile(PeriodicDelaunay(Sites(lattice, uniform_points(lattice, n, 5))), options)
+plane::Tile tile_of(int n, const plane::TileOptions& options) {
+    const plane::Lattice lattice({1, 0}, {0.3, 0.9});
+    return build_tile(plane::PeriodicDelaunay(plane::Sites(lattice, uniform_points(lattice, n, 5))),
+                      options)
         .tile;
 }
 
 /// Tiles in which cells are cut, meet their own images, or own no triangle.
-std::vector<Tile> tiles() {
-    std::vector<Tile> all = testing::solver_tiles(testing::awkward_lattices());
+std::vector<plane::Tile> tiles() {
+    std::vector<plane::Tile> all = testing::solver_tiles(testing::awkward_lattices());
     for (const int n : {1, 2, 7, 60}) {
-        all.push_back(tile_of(n, {.kind = MeshKind::kDelaunay}));
-        all.push_back(tile_of(n, {.kind = MeshKind::kGrains, .order = 2, .columns = 2}));
-        all.push_back(tile_of(n, {.kind = MeshKind::kGrains, .outline = Outline::kBox}));
+        all.push_back(tile_of(n, {.kind = plane::MeshKind::kDelaunay}));
+        all.push_back(tile_of(n, {.kind = plane::MeshKind::kGrains, .order = 2, .columns = 2}));
+        all.push_back(
+            tile_of(n, {.kind = plane::MeshKind::kGrains, .outline = plane::Outline::kBox}));
     }
-    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
-        for (const Tile& tile : testing::walled_tiles(walls)) all.push_back(tile);
+    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
+        for (const plane::Tile& tile : testing::walled_tiles(walls)) all.push_back(tile);
     }
     return all;
 }
 
 /// The triangles at each edge.
-std::map<Edge, std::vector<int>> faces_at_edges(const Tile& tile) {
+std::map<Edge, std::vector<int>> faces_at_edges(const plane::Tile& tile) {
     std::map<Edge, std::vector<int>> faces;
     for (int f = 0; f < tile.n_faces(); ++f) {
         const auto corners = tile.faces[f];
@@ -62,7 +64,7 @@ std::map<Edge, const MshCurve*> curves_at_edges(const MshEntities& entities) {
 }
 
 TEST(MshEntities, Law1EdgesBetweenCellsAndNoOthersAreOnCurves) {
-    for (const Tile& tile : tiles()) {
+    for (const plane::Tile& tile : tiles()) {
         const MshEntities entities = msh_entities(tile, solver_nodes(tile));
         const TriangleCells cells(tile);
         const auto curves = curves_at_edges(entities);
@@ -82,7 +84,7 @@ TEST(MshEntities, Law1EdgesBetweenCellsAndNoOthersAreOnCurves) {
 }
 
 TEST(MshEntities, Law2CurvesEndAtPointsThatTheSeamIdentifies) {
-    for (const Tile& tile : tiles()) {
+    for (const plane::Tile& tile : tiles()) {
         const MshEntities entities = msh_entities(tile, solver_nodes(tile));
         const std::set<int> points(entities.points.begin(), entities.points.end());
         for (std::size_t k = 0; k < entities.curves.size(); ++k) {
@@ -103,10 +105,10 @@ TEST(MshEntities, Law2CurvesEndAtPointsThatTheSeamIdentifies) {
             EXPECT_EQ(partner.partner, static_cast<int>(k));
             EXPECT_EQ(partner.offset, -curve.offset);
             ASSERT_EQ(partner.vertices.size(), curve.vertices.size());
-            const Vec2 t = tile.lattice.translation(curve.offset);
+            const plane::Vec2 t = tile.lattice.translation(curve.offset);
             for (std::size_t v = 0; v < curve.vertices.size(); ++v) {
-                const Vec2& p = tile.points[curve.vertices[v]];
-                const Vec2& q = tile.points[partner.vertices[curve.vertices.size() - 1 - v]];
+                const plane::Vec2& p = tile.points[curve.vertices[v]];
+                const plane::Vec2& q = tile.points[partner.vertices[curve.vertices.size() - 1 - v]];
                 EXPECT_LT((q - p - t).norm(), 1e-12 * (p.norm() + t.norm()));
             }
         }
@@ -114,7 +116,7 @@ TEST(MshEntities, Law2CurvesEndAtPointsThatTheSeamIdentifies) {
 }
 
 TEST(MshEntities, Law3EachNodeBelongsToOneEntityAndEachTriangleToOneSurface) {
-    for (const Tile& tile : tiles()) {
+    for (const plane::Tile& tile : tiles()) {
         const SolverNodes nodes = solver_nodes(tile);
         const MshEntities entities = msh_entities(tile, nodes);
         std::vector<int> owners(nodes.points.size(), 0);

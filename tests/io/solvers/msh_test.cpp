@@ -26,7 +26,7 @@ std::string msh_triangles() {
     return encode_msh(testing::triangle_grid_tile(kSquare, 1, 1), "t.msh")[0].bytes;
 }
 
-TileFile read_msh(const std::string& text, const std::optional<Lattice>& lattice = {}) {
+TileFile read_msh(const std::string& text, const std::optional<plane::Lattice>& lattice = {}) {
     return decode_msh({{"t.msh", text}}, lattice);
 }
 
@@ -40,7 +40,7 @@ std::string msh_fault_with(const std::string& piece, const std::string& other) {
 }
 
 TEST(Msh, TilesReadBackExactlyWithTheirPairs) {
-    for (const Tile& tile : testing::solver_tiles(testing::awkward_lattices())) {
+    for (const plane::Tile& tile : testing::solver_tiles(testing::awkward_lattices())) {
         const auto files = encode_msh(tile, "dir/t.msh");
         ASSERT_EQ(files.size(), 1U);
         EXPECT_EQ(files[0].path, "dir/t.msh");
@@ -52,7 +52,8 @@ TEST(Msh, TilesReadBackExactlyWithTheirPairs) {
 
 TEST(Msh, CellsBecomeSurfacesAndTheirBoundariesCurves) {
     const std::string text =
-        encode_msh(testing::triangle_grid_tile(Lattice({2, 0}, {1, 3}), 2, 1), "t.msh")[0].bytes;
+        encode_msh(testing::triangle_grid_tile(plane::Lattice({2, 0}, {1, 3}), 2, 1), "t.msh")[0]
+            .bytes;
     EXPECT_THAT(text, HasSubstr("$PhysicalNames\n7\n1 3 \"seam_-1_0\"\n1 4 \"seam_0_-1\"\n"
                                 "1 5 \"seam_0_1\"\n1 6 \"seam_1_0\"\n1 7 \"grain_boundary\"\n"
                                 "2 1 \"cell_0\"\n2 2 \"cell_1\"\n$End"));
@@ -73,7 +74,7 @@ TEST(Msh, CellsBecomeSurfacesAndTheirBoundariesCurves) {
 }
 
 TEST(Msh, MidsideNodesHaveNoSite) {
-    Tile tile = testing::triangle_grid_tile(Lattice::rectangle(1, 1), 2, 1);
+    plane::Tile tile = testing::triangle_grid_tile(plane::Lattice::rectangle(1, 1), 2, 1);
     tile.order = 2;
     const std::string text = encode_msh(tile, "t.msh")[0].bytes;
     // Six vertices and nine edges; vertices with points come first, midside nodes of curves after.
@@ -83,30 +84,33 @@ TEST(Msh, MidsideNodesHaveNoSite) {
 
 /// Random sites on square and oblique lattices, as triangles and grains of both outlines and
 /// orders.
-std::vector<Tile> random_tiles() {
-    std::vector<Tile> tiles;
+std::vector<plane::Tile> random_tiles() {
+    std::vector<plane::Tile> tiles;
     for (int k = 0; k < 40; ++k) {
-        const Lattice lattice =
-            k % 2 == 0 ? Lattice::rectangle(1, 1) : Lattice({1, 0.3}, {0.1 * k - 2, 1});
+        const plane::Lattice lattice = k % 2 == 0 ? plane::Lattice::rectangle(1, 1)
+                                                  : plane::Lattice({1, 0.3}, {0.1 * k - 2, 1});
         const int n = 1 + k * k / 30;
-        TileOptions options{.kind = k % 4 < 2 ? MeshKind::kDelaunay : MeshKind::kGrains};
-        if (k % 4 == 3) options.outline = Outline::kBox;
-        if (options.kind == MeshKind::kGrains) options.order = 1 + k / 4 % 2;
-        const Sites sites(lattice, uniform_points(lattice, n, static_cast<std::uint64_t>(k)));
-        tiles.push_back(build_tile(PeriodicDelaunay(sites), options).tile);
+        plane::TileOptions options{.kind = k % 4 < 2 ? plane::MeshKind::kDelaunay
+                                                     : plane::MeshKind::kGrains};
+        if (k % 4 == 3) options.outline = plane::Outline::kBox;
+        if (options.kind == plane::MeshKind::kGrains) options.order = 1 + k / 4 % 2;
+        const plane::Sites sites(lattice,
+                                 uniform_points(lattice, n, static_cast<std::uint64_t>(k)));
+        tiles.push_back(build_tile(plane::PeriodicDelaunay(sites), options).tile);
     }
-    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
-        for (Tile& tile : testing::walled_tiles(walls)) tiles.push_back(std::move(tile));
+    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
+        for (plane::Tile& tile : testing::walled_tiles(walls)) tiles.push_back(std::move(tile));
     }
-    for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
-        tiles.push_back(testing::holed_tile({.kind = MeshKind::kGrains, .outline = outline}));
+    for (const plane::Outline outline : {plane::Outline::kWhole, plane::Outline::kBox}) {
+        tiles.push_back(
+            testing::holed_tile({.kind = plane::MeshKind::kGrains, .outline = outline}));
     }
-    tiles.push_back(testing::holed_tile({.kind = MeshKind::kDelaunay}));
+    tiles.push_back(testing::holed_tile({.kind = plane::MeshKind::kDelaunay}));
     return tiles;
 }
 
 TEST(Msh, TiesEachNodeByAnyOfItsLinksAndByCurvesAlone) {
-    for (const Tile& tile : random_tiles()) {
+    for (const plane::Tile& tile : random_tiles()) {
         SCOPED_TRACE(mesh_kind_row(tile.kind).word + std::string(", nodes: ") +
                      std::to_string(tile.n_vertices()));
         const SolverNodes nodes = solver_nodes(tile);
@@ -132,9 +136,9 @@ TEST(Msh, MeshesOfOtherProgramsAreRead) {
         "$Elements\n2 3 1 9\n0 1 15 1\n1 7\n2 1 2 2\n9 7 20 9\n4 7 9 40\n$EndElements\n"
         "$ElementData\n1\n\"stress\"\n1\n0\n3\n0\n1\n1\n9 0.5\n$EndElementData\n",
         kSquare);
-    EXPECT_EQ(file.tile.kind, MeshKind::kDelaunay);
+    EXPECT_EQ(file.tile.kind, plane::MeshKind::kDelaunay);
     EXPECT_THAT(file.tile.faces.corners, ::testing::ElementsAre(0, 1, 3, 0, 2, 1));
-    EXPECT_EQ(file.tile.points[2], Vec2(1, 0));
+    EXPECT_EQ(file.tile.points[2], plane::Vec2(1, 0));
     EXPECT_FALSE(file.has_vertex_pairs || file.has_edge_pairs);
     EXPECT_NO_THROW(prove_tile(file.tile, file.precision));
 }
@@ -214,14 +218,14 @@ TEST(Msh, GroupsThatDoNotFitTheCellsAreRefused) {
 }
 
 TEST(Msh, NonFiniteCoordinatesAreInternalErrors) {
-    Tile tile = testing::triangle_grid_tile(kSquare, 1, 1);
+    plane::Tile tile = testing::triangle_grid_tile(kSquare, 1, 1);
     tile.points[0].x() = std::nan("");
     EXPECT_THROW(encode_msh(tile, "t.msh"), InternalError);
 }
 
 TEST(Msh, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(3);
-    for (const Tile& tile : testing::solver_tiles({kSquare})) {
+    for (const plane::Tile& tile : testing::solver_tiles({kSquare})) {
         const std::string bytes = encode_msh(tile, "t.msh")[0].bytes;
         int n_refused = 0;
         for (int k = 0; k < 300; ++k) {

@@ -21,7 +21,7 @@ using ::testing::StartsWith;
 
 std::string one_cell() { return encode_vtu(testing::grid_tile(kSquare, 1, 1), "t.vtu")[0].bytes; }
 
-TileFile read_vtu(const std::string& text, const std::optional<Lattice>& lattice = {}) {
+TileFile read_vtu(const std::string& text, const std::optional<plane::Lattice>& lattice = {}) {
     return decode_vtu({{"t.vtu", text}}, lattice);
 }
 
@@ -35,12 +35,12 @@ std::string vtu_fault_with(const std::string& piece, const std::string& other) {
 }
 
 TEST(Vtu, TilesReadBackExactlyWithTheirVertexPairs) {
-    std::vector<Tile> tiles = testing::solver_tiles(testing::awkward_lattices());
-    for (const Lattice& lattice : testing::awkward_lattices()) {
+    std::vector<plane::Tile> tiles = testing::solver_tiles(testing::awkward_lattices());
+    for (const plane::Lattice& lattice : testing::awkward_lattices()) {
         tiles.push_back(testing::grid_tile(lattice, 3, 2));
         tiles.push_back(testing::grid_tile(lattice, 1, 1));
     }
-    for (const Tile& tile : tiles) {
+    for (const plane::Tile& tile : tiles) {
         const auto files = encode_vtu(tile, "dir/t.vtu");
         ASSERT_EQ(files.size(), 1U);
         EXPECT_EQ(files[0].path, "dir/t.vtu");
@@ -51,8 +51,8 @@ TEST(Vtu, TilesReadBackExactlyWithTheirVertexPairs) {
 }
 
 TEST(Vtu, CellsThatAreTrianglesStayPolygons) {
-    Tile tile = testing::triangle_grid_tile(kSquare, 2, 2);
-    tile.kind = MeshKind::kVoronoi;
+    plane::Tile tile = testing::triangle_grid_tile(kSquare, 2, 2);
+    tile.kind = plane::MeshKind::kVoronoi;
     tile.vertex_site.clear();
     for (int f = 0; f < tile.n_faces(); ++f) tile.face_site.push_back(f);
     testing::expect_read_back(decode_vtu(encode_vtu(tile, "t.vtu"), {}), tile);
@@ -70,8 +70,8 @@ TEST(Vtu, GridsOfOtherProgramsAreRead) {
         "Name=\"offsets\">3 6</DataArray><DataArray type=\"UInt8\" Name=\"types\">5 5</DataArray>"
         "</Cells></Piece></UnstructuredGrid></VTKFile>\n",
         kSquare);
-    EXPECT_EQ(file.tile.kind, MeshKind::kDelaunay);
-    EXPECT_EQ(file.precision, Precision::kSingle);
+    EXPECT_EQ(file.tile.kind, plane::MeshKind::kDelaunay);
+    EXPECT_EQ(file.precision, plane::Precision::kSingle);
     EXPECT_THAT(file.tile.faces.corners, ::testing::ElementsAre(0, 1, 2, 0, 2, 3));
     EXPECT_FALSE(file.has_vertex_pairs);
     EXPECT_NO_THROW(prove_tile(file.tile, file.precision));
@@ -127,16 +127,16 @@ TEST(Vtu, FaultsOfTheGridNameTheirLine) {
 }
 
 /// Two orbits of the four sites of a grid.
-std::string with_orbits(const Tile& tile) {
+std::string with_orbits(const plane::Tile& tile) {
     return encode_vtu(tile, "t.vtu", std::array{0, 1, 1, 0})[0].bytes;
 }
 
 TEST(Vtu, OrbitsReadBackFromCellsAndTriangles) {
-    for (const Tile& tile :
+    for (const plane::Tile& tile :
          {testing::grid_tile(kSquare, 2, 2), testing::grain_grid_tile(kSquare, 2, 2)}) {
         EXPECT_EQ(read_vtu(with_orbits(tile)).site_orbits, (std::vector{0, 1, 1, 0}));
     }
-    const Tile triangles = testing::triangle_grid_tile(kSquare, 2, 2);
+    const plane::Tile triangles = testing::triangle_grid_tile(kSquare, 2, 2);
     const std::vector<int> found = read_vtu(with_orbits(triangles)).site_orbits;
     ASSERT_FALSE(found.empty());
     for (std::size_t s = 0; s < found.size(); ++s) {
@@ -145,16 +145,16 @@ TEST(Vtu, OrbitsReadBackFromCellsAndTriangles) {
     EXPECT_TRUE(read_vtu(one_cell()).site_orbits.empty());
 }
 
-std::string with_phases(const Tile& tile) {
+std::string with_phases(const plane::Tile& tile) {
     return encode_vtu(tile, "t.vtu", {},
                       {.phase_names = {"soft", "2nd"}, .site_phase = {0, 1, 1, 0}})[0]
         .bytes;
 }
 
 TEST(Vtu, PhasesReadBackFromCellsAndGrains) {
-    for (const Tile& tile :
+    for (const plane::Tile& tile :
          {testing::grid_tile(kSquare, 2, 2), testing::grain_grid_tile(kSquare, 2, 2)}) {
-        const CellMaterials found = read_vtu(with_phases(tile)).materials;
+        const plane::CellMaterials found = read_vtu(with_phases(tile)).materials;
         EXPECT_THAT(found.phase_names, ::testing::ElementsAre("soft", "2nd"));
         EXPECT_THAT(found.site_phase, ::testing::ElementsAre(0, 1, 1, 0));
     }
@@ -208,16 +208,16 @@ TEST(Vtu, AWrongPairIsRefuted) {
 }
 
 TEST(Vtu, NonFiniteCoordinatesAreInternalErrors) {
-    Tile tile = testing::grid_tile(kSquare, 1, 1);
+    plane::Tile tile = testing::grid_tile(kSquare, 1, 1);
     tile.points[0].x() = std::nan("");
     EXPECT_THROW(encode_vtu(tile, "t.vtu"), InternalError);
 }
 
 TEST(Vtu, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(3);
-    std::vector<Tile> tiles = testing::solver_tiles({kSquare});
+    std::vector<plane::Tile> tiles = testing::solver_tiles({kSquare});
     tiles.push_back(testing::grid_tile(kSquare, 2, 2));
-    for (const Tile& tile : tiles) {
+    for (const plane::Tile& tile : tiles) {
         const std::string bytes = encode_vtu(tile, "t.vtu")[0].bytes;
         int n_refused = 0;
         for (int k = 0; k < 300; ++k) {

@@ -31,17 +31,19 @@ std::string complaint(const std::string& path, const std::string& text) {
     return "";
 }
 
-std::string text_of(const Tile& tile, const std::string& path) {
+std::string text_of(const plane::Tile& tile, const std::string& path) {
     return encode_tile(format_of(path), tile, path)[0].bytes;
 }
 
-Tile channel(int order = 1) {
-    const TileOptions grains{.kind = MeshKind::kGrains, .outline = Outline::kBox, .order = order};
-    return testing::walled_tile(Walls::kY, WallCells::kWhole, 7, grains);
+plane::Tile channel(int order = 1) {
+    const plane::TileOptions grains{
+        .kind = plane::MeshKind::kGrains, .outline = plane::Outline::kBox, .order = order};
+    return testing::walled_tile(plane::Walls::kY, plane::WallCells::kWhole, 7, grains);
 }
 
-Tile box() {
-    return testing::walled_tile(Walls::kXY, WallCells::kWhole, 7, {.kind = MeshKind::kGrains});
+plane::Tile box() {
+    return testing::walled_tile(plane::Walls::kXY, plane::WallCells::kWhole, 7,
+                                {.kind = plane::MeshKind::kGrains});
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -66,17 +68,19 @@ std::vector<std::string> data_of(const std::string& text, const std::string& car
 }
 
 TEST(WalledFiles, TilesReadBackExactlyAndAreProved) {
-    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
-        for (const Tile& tile : testing::walled_tiles(walls)) {
+    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
+        for (const plane::Tile& tile : testing::walled_tiles(walls)) {
             for (const char* path : {"t.msh", "t.inp", "t.vtu"}) {
                 SCOPED_TRACE(path);
                 const auto files = encode_tile(format_of(path), tile, path);
-                EXPECT_NO_THROW(prove_tile_files(format_of(path), files, tile, Vec2::Zero()));
+                EXPECT_NO_THROW(
+                    prove_tile_files(format_of(path), files, tile, plane::Vec2::Zero()));
                 const TileFile file = decode_tile(format_of(path), files, std::nullopt);
                 EXPECT_EQ(file.tile.walls, walls);
                 EXPECT_EQ(file.tile.wall_edges, tile.wall_edges);
                 EXPECT_EQ(file.tile.order, tile.order);
-                EXPECT_EQ(file.has_vertex_pairs, walls != Walls::kXY && file.has_vertex_pairs);
+                EXPECT_EQ(file.has_vertex_pairs,
+                          walls != plane::Walls::kXY && file.has_vertex_pairs);
                 EXPECT_EQ(complaint(path, files[0].bytes), "");
             }
         }
@@ -107,7 +111,7 @@ TEST(WalledMsh, ABoxHasNoPeriodicEntities) {
     const std::string text = text_of(box(), "t.msh");
     EXPECT_THAT(text, Not(HasSubstr("$Periodic")));
     EXPECT_THAT(text, Not(HasSubstr("seam_")));
-    for (const WallSideRow& row : kWallSides) EXPECT_THAT(text, HasSubstr(row.word));
+    for (const plane::WallSideRow& row : plane::kWallSides) EXPECT_THAT(text, HasSubstr(row.word));
 }
 
 TEST(WalledMsh, WallElementsInOtherGroupsRemovedOrDoubledAreRefused) {
@@ -160,11 +164,12 @@ TEST(WalledMsh, AWrongNoteOfWallsIsRefused) {
 
 TEST(WalledInp, WallsAreSetsAndSurfaces) {
     for (const int order : {1, 2}) {
-        const Tile tile = channel(order);
+        const plane::Tile tile = channel(order);
         const std::string text = text_of(tile, "t.inp");
-        const auto n_on = std::count_if(
-            tile.wall_edges.begin(), tile.wall_edges.end(),
-            [](const WallEdge& edge) { return edge.wall.side() == WallSide::kBottom; });
+        const auto n_on = std::count_if(tile.wall_edges.begin(), tile.wall_edges.end(),
+                                        [](const plane::WallEdge& edge) {
+                                            return edge.wall.side() == plane::WallSide::kBottom;
+                                        });
         const auto sides = data_of(text, "*SURFACE,NAME=WALL_BOTTOM_SIDES,TYPE=ELEMENT");
         EXPECT_EQ(static_cast<std::ptrdiff_t>(sides.size()), n_on);
         for (const std::string& side : sides) {
@@ -218,7 +223,7 @@ TEST(WalledInp, WrongSetsAndSurfacesOfWallsAreRefused) {
 
 TEST(WalledFiles, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(5);
-    for (const Tile& tile : {channel(), channel(2), box()}) {
+    for (const plane::Tile& tile : {channel(), channel(2), box()}) {
         for (const char* path : {"t.msh", "t.inp"}) {
             const std::string bytes = text_of(tile, path);
             for (int k = 0; k < 100; ++k) {
@@ -235,14 +240,14 @@ TEST(WalledFiles, DamagedFilesGiveATileOrAFaultAndNothingElse) {
 }
 
 TEST(WalledFiles, ContentsThatNeedATorusAreRefusedBeforeAnyWork) {
-    const FormatRequest channel{.lattice = Lattice::rectangle(2, 1),
-                                .kind = MeshKind::kGrains,
-                                .outline = Outline::kWhole,
+    const FormatRequest channel{.lattice = plane::Lattice::rectangle(2, 1),
+                                .kind = plane::MeshKind::kGrains,
+                                .outline = plane::Outline::kWhole,
                                 .short_edges = 0,
-                                .walls = Walls::kY,
+                                .walls = plane::Walls::kY,
                                 .files = {.job = SolverJob::kElastic}};
     FormatRequest torus = channel;
-    torus.walls = Walls::kNone;
+    torus.walls = plane::Walls::kNone;
     for (const char* path : {"t.nc", "t.vti", "t.inp"}) {
         EXPECT_NO_THROW(format_of(path).check(torus)) << path;
         try {

@@ -3,7 +3,7 @@
 
 #include "io/space/space_foam_reader.hpp"
 #include "io/space/space_foam_writer.hpp"
-#include "mesher/proof/validate.hpp"
+#include "mesher/plane/proof/validate.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/space_tiles.hpp"
 
@@ -37,7 +37,7 @@ TEST(SpaceFoam, GivesBackTheMesh) {
 }
 
 TEST(SpaceFoam, StatesTheLengthOfRemovedEdges) {
-    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    const space::Lattice cube = space::Lattice::box(1, 1, 1);
     const SpaceTile tile = testing::tile_of({"", cube, uniform_points(cube, 200, 2)}, 0.05);
     const std::vector<EncodedFile> files = encode_space_foam(tile, "t.foam");
     EXPECT_EQ(prove_space_files(files).tile.mesh.short_edges, 0.05);

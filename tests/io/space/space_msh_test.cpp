@@ -7,7 +7,7 @@
 #include "io/space/seam_entities.hpp"
 #include "io/space/space_msh_reader.hpp"
 #include "io/space/space_msh_writer.hpp"
-#include "mesher/proof/validate.hpp"
+#include "mesher/plane/proof/validate.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/msh_links.hpp"
 #include "tests/support/tetrahedra_files.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-EncodedFile encoded_msh(const TetrahedralMesh& mesh) {
+EncodedFile encoded_msh(const space::TetrahedralMesh& mesh) {
     return encode_space_msh(mesh, "t.msh").front();
 }
 
@@ -34,7 +34,7 @@ TEST(SpaceMsh, GivesBackPointsSitesAndTetrahedra) {
         SCOPED_TRACE(name);
         const EncodedFile file = encoded_msh(mesh);
         ASSERT_EQ(space_file_kind({file}), SpaceFileKind::kTetrahedra);
-        const TetrahedralMesh found = prove_tetrahedral_file(file).mesh;
+        const space::TetrahedralMesh found = prove_tetrahedral_file(file).mesh;
         EXPECT_EQ(found.points, mesh.points);
         EXPECT_EQ(found.point_site, mesh.point_site);
         EXPECT_EQ(found.point_offset, mesh.point_offset);
@@ -61,7 +61,7 @@ std::vector<int> first_numbers(const std::string& msh, const std::string& sectio
 }
 
 TEST(SpaceMsh, GroupsAllElementsAndListsSitesInTheOrderOfNodes) {
-    const TetrahedralMesh mesh = testing::random_tetrahedra(30);
+    const space::TetrahedralMesh mesh = testing::random_tetrahedra(30);
     const std::string msh = encoded_msh(mesh).bytes;
     // The rows of $Nodes with one word are the numbers of the nodes.
     std::istringstream text(msh.substr(msh.find("$Nodes\n")));
@@ -88,7 +88,7 @@ TEST(SpaceMsh, IsRefusedWhereItStatesSomethingElse) {
 }
 
 TEST(SpaceMsh, RefutesAMovedNode) {
-    TetrahedralMesh mesh = testing::random_tetrahedra(8);
+    space::TetrahedralMesh mesh = testing::random_tetrahedra(8);
     EncodedFile file = encoded_msh(mesh);
     std::string word;
     append_number(word, mesh.points[0].x());
@@ -97,7 +97,7 @@ TEST(SpaceMsh, RefutesAMovedNode) {
 }
 
 /// Expects that one point is the image of another one by a translation.
-void expect_image(const TetrahedralMesh& mesh, int v, int of, Offset3 offset) {
+void expect_image(const space::TetrahedralMesh& mesh, int v, int of, space::Offset offset) {
     EXPECT_EQ(mesh.point_site[v], mesh.point_site[of]);
     EXPECT_EQ(mesh.point_offset[v] - mesh.point_offset[of], offset);
 }
@@ -105,7 +105,7 @@ void expect_image(const TetrahedralMesh& mesh, int v, int of, Offset3 offset) {
 TEST(SeamEntities, PutEachPairOfTrianglesOnASurfaceAndItsPartner) {
     for (const auto& [name, mesh] : testing::tetrahedra_cases()) {
         SCOPED_TRACE(name);
-        const TetrahedralProof proof = prove_tetrahedra(mesh);
+        const space::TetrahedralProof proof = prove_tetrahedra(mesh);
         std::size_t n_triangles = 0;
         const SeamEntities entities = seam_entities(mesh, proof);
         for (const SeamSurface& surface : entities.surfaces) {

@@ -3,7 +3,7 @@
 
 #include "io/space/space_vtu_reader.hpp"
 #include "io/space/space_vtu_writer.hpp"
-#include "mesher/proof/validate.hpp"
+#include "mesher/plane/proof/validate.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/space_tiles.hpp"
 

@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-EncodedFile encoded_tetrahedra(const TetrahedralMesh& mesh) {
+EncodedFile encoded_tetrahedra(const space::TetrahedralMesh& mesh) {
     return encode_tetrahedra_vtu(mesh, "t.vtu").front();
 }
 
@@ -57,7 +57,7 @@ TEST(TetrahedraVtu, IsRefusedWhereItStatesSomethingElse) {
 }
 
 TEST(TetrahedraVtu, RefutesOtherSitesAndTurnedTetrahedra) {
-    TetrahedralMesh mesh = testing::random_tetrahedra(8);
+    space::TetrahedralMesh mesh = testing::random_tetrahedra(8);
     std::swap(mesh.tetrahedra[2][0], mesh.tetrahedra[2][1]);
     EXPECT_THAT(testing::fault_of_tetrahedra(encoded_tetrahedra(mesh)), HasSubstr("law (1)"));
     mesh = testing::random_tetrahedra(8);

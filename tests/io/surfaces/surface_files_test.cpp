@@ -7,7 +7,7 @@
 #include "io/surfaces/surface_obj_writer.hpp"
 #include "io/surfaces/surface_ply_reader.hpp"
 #include "io/surfaces/surface_ply_writer.hpp"
-#include "mesher/polyhedra/boundary_surface.hpp"
+#include "mesher/space/mesh/boundary_surface.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/space_tiles.hpp"
 
@@ -149,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(SurfaceObj, HasAGroupForEachCellAndItsColourByFaces) {
     const SpaceTile tile =
-        testing::tile_of({"bcc", SpaceLattice::box(1, 1, 1), testing::lattice_points(2)});
+        testing::tile_of({"bcc", space::Lattice::box(1, 1, 1), testing::lattice_points(2)});
     const auto files = encode_surface_obj(surface_list(tile, SurfaceForm::kCells), "a/t.obj");
     ASSERT_EQ(files.size(), 2U);
     EXPECT_EQ(files[1].path, "a/t.mtl");
@@ -168,7 +168,7 @@ TEST(SurfaceObj, IsReadWithoutItsMaterials) {
 
 TEST(SurfaceObj, OfABoundaryHasAGroupForEachSideOfTheSeam) {
     const SpaceTile tile =
-        testing::tile_of({"cube", SpaceLattice::box(1, 1, 1), Points3::Zero(3, 1)});
+        testing::tile_of({"cube", space::Lattice::box(1, 1, 1), space::Points::Zero(3, 1)});
     const std::string text =
         encode_surface_obj(surface_list(tile, SurfaceForm::kBoundary), "t.obj").front().bytes;
     for (const char* side : {"0_0_1", "0_0_-1", "0_1_0", "0_-1_0", "1_0_0", "-1_0_0"}) {

@@ -7,7 +7,7 @@
 #include "io/surfaces/surface_glb_fields.hpp"
 #include "io/surfaces/surface_glb_reader.hpp"
 #include "io/surfaces/surface_glb_writer.hpp"
-#include "mesher/polyhedra/boundary_surface.hpp"
+#include "mesher/space/mesh/boundary_surface.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/space_tiles.hpp"
 
@@ -46,7 +46,7 @@ TEST(SurfaceGlb, IsProvedFromItsBytes) {
 }
 
 TEST(SurfaceGlb, OfManyCellsHasOneNode) {
-    const SpaceLattice cube = SpaceLattice::box(1, 1, 1);
+    const space::Lattice cube = space::Lattice::box(1, 1, 1);
     const SpaceTile tile =
         testing::tile_of({"many", cube, uniform_points(cube, kMaxCellNodes + 1, 1)});
     const EncodedFile file = encoded_glb(tile);
@@ -117,7 +117,7 @@ TEST(SurfaceGlb, RefusesDamagedDocuments) {
 }
 
 TEST(SurfaceGlb, RefusesCoordinatesBeyondSinglePrecision) {
-    const SpaceLattice huge = SpaceLattice::box(1e39, 1e39, 1e39);
+    const space::Lattice huge = space::Lattice::box(1e39, 1e39, 1e39);
     const SpaceTile tile = testing::tile_of({"huge", huge, uniform_points(huge, 4, 1)});
     EXPECT_THROW(encoded_glb(tile), InvalidInput);
 }

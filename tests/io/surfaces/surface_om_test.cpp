@@ -3,7 +3,7 @@
 
 #include "io/surfaces/surface_om_reader.hpp"
 #include "io/surfaces/surface_om_writer.hpp"
-#include "mesher/polyhedra/boundary_surface.hpp"
+#include "mesher/space/mesh/boundary_surface.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/space_tiles.hpp"
 
@@ -31,8 +31,8 @@ TEST(SurfaceOm, GivesBackTheSurface) {
         const SpaceTile tile = testing::tile_of(c);
         if (!boundary_is_manifold(tile.mesh)) continue;
         SCOPED_TRACE(c.name);
-        const TileSurface surface = tile_surface(tile.mesh, tile.sites);
-        const TileSurface found = decode_surface_om(encoded_om(tile));
+        const space::TileSurface surface = tile_surface(tile.mesh, tile.sites);
+        const space::TileSurface found = decode_surface_om(encoded_om(tile));
         EXPECT_EQ(found.points, surface.points);
         EXPECT_EQ(found.faces, surface.faces);
         EXPECT_EQ(found.cell, surface.cell);

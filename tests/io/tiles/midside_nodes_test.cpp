@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 /// Two triangles with the corners 0 to 3 of the unit square and the middle nodes 4 to 8.
 FileTileBuilder two_triangles() {
     FileTileBuilder file{.name = "t", .index_base = 0};
-    file.lattice = Lattice::rectangle(1, 1);
+    file.lattice = plane::Lattice::rectangle(1, 1);
     file.points = {{0, 0},   {1, 0},     {0, 1},   {1, 1},  {0.5, 0},
                    {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 0.5}};
     file.add_face({0, 1, 3, 4, 5, 6}, 10);
@@ -30,7 +30,7 @@ FileTileBuilder two_triangles() {
 
 std::string fault_of(FileTileBuilder file) {
     try {
-        remove_midside_nodes(file, std::nullopt, Precision::kDouble);
+        remove_midside_nodes(file, std::nullopt, plane::Precision::kDouble);
     } catch (const BadFile& fault) {
         return fault.what();
     }
@@ -39,11 +39,11 @@ std::string fault_of(FileTileBuilder file) {
 
 TEST(FileMidsideNodes, TheyGoAndTheTileStays) {
     FileTileBuilder file = two_triangles();
-    remove_midside_nodes(file, std::nullopt, Precision::kDouble);
+    remove_midside_nodes(file, std::nullopt, plane::Precision::kDouble);
     EXPECT_EQ(file.points.size(), 4U);
     EXPECT_THAT(file.faces.corners, ::testing::ElementsAre(0, 1, 3, 0, 3, 2));
     EXPECT_EQ(file.vertex_pairs.size(), 3U);
-    EXPECT_EQ(finish(file, std::nullopt, Precision::kDouble).tile.order, 2);
+    EXPECT_EQ(finish(file, std::nullopt, plane::Precision::kDouble).tile.order, 2);
 }
 
 TEST(FileMidsideNodes, FaultsNameTheirLine) {
@@ -73,12 +73,12 @@ TEST(FileMidsideNodes, FaultsNameTheirLine) {
 TEST(FileMidsideNodes, NodesOnWallsHaveNoPartner) {
     // Walls at the bottom and at the top.
     FileTileBuilder file = two_triangles();
-    file.notes.walls = Walls::kY;
+    file.notes.walls = plane::Walls::kY;
     EXPECT_THAT(fault_of(file), HasSubstr(" lies on a wall, but has a partner; "));
-    std::erase(file.vertex_pairs, VertexPair{4, 7, {0, 1}});
+    std::erase(file.vertex_pairs, plane::VertexPair{4, 7, {0, 1}});
     EXPECT_EQ(fault_of(file), "");
     file = two_triangles();
-    file.notes.walls = Walls::kX;
+    file.notes.walls = plane::Walls::kX;
     EXPECT_THAT(fault_of(file), HasSubstr("node 8 lies on a wall, but has a partner; "));
 }
 
@@ -89,7 +89,7 @@ std::string exchanged(std::string text, const std::string& piece, const std::str
 }
 
 TEST(FileMidsideNodes, EveryFormatRefusesAMovedOne) {
-    Tile tile = testing::triangle_grid_tile(Lattice::rectangle(1, 1), 1, 1);
+    plane::Tile tile = testing::triangle_grid_tile(plane::Lattice::rectangle(1, 1), 1, 1);
     tile.order = 2;
     // The middle of the diagonal is node 6 of nine.
     const std::string msh =
@@ -104,7 +104,7 @@ TEST(FileMidsideNodes, EveryFormatRefusesAMovedOne) {
 }
 
 TEST(FileMidsideNodes, ALineWithTheWrongOneIsRefused) {
-    Tile tile = testing::triangle_grid_tile(Lattice::rectangle(1, 1), 1, 1);
+    plane::Tile tile = testing::triangle_grid_tile(plane::Lattice::rectangle(1, 1), 1, 1);
     tile.order = 2;
     const std::string text = encode_msh(tile, "")[0].bytes;
     const std::size_t line = text.find("\n5 4 3 ");

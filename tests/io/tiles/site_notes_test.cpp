@@ -18,7 +18,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::kOblique;
 
-std::string comments(const Tile& tile) {
+std::string comments(const plane::Tile& tile) {
     std::string text;
     append_note_comments(text, "", tile, 0);
     return text;
@@ -41,8 +41,8 @@ TEST(SiteNotes, EachQuantityHasNamesOfItsOwn) {
 
 TEST(SiteNotes, CommentsGiveTheNumbersBackBitForBit) {
     for (const testing::CellShape& shape : testing::cell_shapes()) {
-        for (const TileOptions& options : testing::tile_kinds()) {
-            const Tile tile = testing::power_tile(kOblique, 7, 1, shape, options);
+        for (const plane::TileOptions& options : testing::tile_kinds()) {
+            const plane::Tile tile = testing::power_tile(kOblique, 7, 1, shape, options);
             const std::string text = comments(tile);
             LineScanner scanner("notes", text);
             FileTileBuilder builder{.name = "notes", .index_base = 0, .notes = {.short_edges = 0}};
@@ -51,7 +51,7 @@ TEST(SiteNotes, CommentsGiveTheNumbersBackBitForBit) {
                 const std::vector<std::string_view> values(words.begin() + 1, words.end());
                 EXPECT_TRUE(builder.take_comment(scanner, words[0], values));
             }
-            Tile back{.lattice = kOblique, .kind = tile.kind};
+            plane::Tile back{.lattice = kOblique, .kind = tile.kind};
             std::move(builder.notes).give_to(back);
             EXPECT_TRUE(same_site_notes(back, tile)) << text;
             back.site_positions[3].x() = std::nextafter(back.site_positions[3].x(), 10);
@@ -61,14 +61,14 @@ TEST(SiteNotes, CommentsGiveTheNumbersBackBitForBit) {
 }
 
 TEST(SiteNotes, UsualNumbersAreNotStated) {
-    const Tile tile = testing::power_tile(kOblique, 2, 1, {"voronoi", ""});
+    const plane::Tile tile = testing::power_tile(kOblique, 2, 1, {"voronoi", ""});
     const auto n_lines = [](const std::string& text) {
         return std::count(text.begin(), text.end(), '\n');
     };
     EXPECT_EQ(n_lines(comments(tile)), 2);
     EXPECT_EQ(stated_notes(tile).size(), 1U);
     EXPECT_EQ(stated_notes(tile, true).size(), 3U);
-    Tile unplaced = tile;
+    plane::Tile unplaced = tile;
     unplaced.site_points.clear();
     EXPECT_EQ(comments(unplaced), "");
     EXPECT_TRUE(stated_notes(unplaced, true).empty());

@@ -4,9 +4,9 @@
 #include "io/bytes/bad_file.hpp"
 #include "io/voxels/vti_reader.hpp"
 #include "io/voxels/vti_writer.hpp"
-#include "mesher/areas/area_cvt.hpp"
-#include "mesher/areas/target_areas.hpp"
-#include "mesher/proof/validate.hpp"
+#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/areas/target_areas.hpp"
+#include "mesher/plane/proof/validate.hpp"
 
 namespace pcvt {
 namespace {
@@ -14,24 +14,24 @@ namespace {
 using ::testing::HasSubstr;
 
 struct Example {
-    VoxelImage image;
-    VoxelCells cells;
+    plane::VoxelImage image;
+    plane::VoxelCells cells;
 };
 
-Example example(int n, VoxelCounts counts) {
-    const Lattice lattice = Lattice::rectangle(3, 1);
-    const Eigen::VectorXd areas =
-        scaled_areas(draw_areas(parse_area_law("lognormal:0.42"), n, 1), n, lattice.area());
+Example example(int n, plane::VoxelCounts counts) {
+    const plane::Lattice lattice = plane::Lattice::rectangle(3, 1);
+    const Eigen::VectorXd areas = plane::scaled_areas(
+        plane::draw_areas(plane::parse_area_law("lognormal:0.42"), n, 1), n, lattice.area());
     const auto result = compute_area_cvt(lattice, uniform_points(lattice, n, 2), {.areas = areas});
-    VoxelCells cells{
-        .lattice = lattice, .sites = Points(2, n), .weights = result.delaunay.weights()};
+    plane::VoxelCells cells{
+        .lattice = lattice, .sites = plane::Points(2, n), .weights = result.delaunay.weights()};
     for (SiteId s = 0; s < n; ++s) cells.sites.col(s) = result.delaunay.sites().position(s);
     return {voxel_image(result.delaunay, {}, voxel_grid(lattice, {0.1, -7}, counts), 1), cells};
 }
 
 TEST(Vti, IsReadBack) {
     // The last image has several blocks.
-    for (const VoxelCounts counts : {VoxelCounts{2, 2}, {7, 5}, {600, 300}}) {
+    for (const plane::VoxelCounts counts : {plane::VoxelCounts{2, 2}, {7, 5}, {600, 300}}) {
         const Example e = example(30, counts);
         const auto files = encode_vti(e.image, e.cells, {}, {}, "dir.x/t.vti");
         ASSERT_EQ(files.size(), 2U);

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/lattice/polygon.hpp"
-#include "mesher/mesh/outline.hpp"
-#include "mesher/mesh/voronoi.hpp"
-#include "mesher/tile/tile_builder.hpp"
+#include "mesher/plane/geometry/polygon.hpp"
+#include "mesher/plane/mesh/outline.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
+#include "mesher/plane/tile/tile_builder.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/random_meshes.hpp"
@@ -21,25 +21,25 @@ using testing::grid_tile;
 using testing::lattices;
 using testing::random_tile;
 
-CellFlow flow_on(const Tile& tile) {
+CellFlow flow_on(const plane::Tile& tile) {
     return cell_flow(DecayingFlow(tile.lattice), tile, extruded_mesh(tile));
 }
 
-Polygon polygon_of(const Tile& tile, int f) {
-    Polygon polygon;
+plane::Polygon polygon_of(const plane::Tile& tile, int f) {
+    plane::Polygon polygon;
     for (const int v : tile.faces[f]) polygon.push_back(tile.points[v]);
     return polygon;
 }
 
 TEST(CellFlow, TheMeansAreZero) {
     for (const auto& [name, lattice] : lattices()) {
-        for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay}) {
-            const Tile tile = random_tile(lattice, 300, kind);
+        for (const plane::MeshKind kind : {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay}) {
+            const plane::Tile tile = random_tile(lattice, 300, kind);
             const CellFlow cells = flow_on(tile);
-            Vec2 momentum(0, 0);
+            plane::Vec2 momentum(0, 0);
             double mass = 0;
             for (int f = 0; f < tile.n_faces(); ++f) {
-                const double area = polygon_area(polygon_of(tile, f));
+                const double area = plane::polygon_area(polygon_of(tile, f));
                 momentum += area * cells.velocity[f];
                 mass += area * cells.tracer[f];
             }
@@ -50,24 +50,24 @@ TEST(CellFlow, TheMeansAreZero) {
 }
 
 /// The flux |u . n| through each edge is integrated by the midpoint rule on 64 parts.
-double exchange_by_quadrature(const DecayingFlow& flow, const Polygon& polygon) {
+double exchange_by_quadrature(const DecayingFlow& flow, const plane::Polygon& polygon) {
     double flux = 0;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vec2& p = polygon[k];
-        const Vec2 edge = polygon[(k + 1) % polygon.size()] - p;
+        const plane::Vec2& p = polygon[k];
+        const plane::Vec2 edge = polygon[(k + 1) % polygon.size()] - p;
         double through = 0;
         for (int part = 0; part < 64; ++part) {
-            through += cross(flow.velocity(p + (part + 0.5) / 64 * edge), edge) / 64;
+            through += plane::cross(flow.velocity(p + (part + 0.5) / 64 * edge), edge) / 64;
         }
         flux += std::abs(through);
     }
-    return flux / (2 * polygon_area(polygon));
+    return flux / (2 * plane::polygon_area(polygon));
 }
 
 TEST(CellFlow, NoCellExchangesMoreThanTheCourantRate) {
     for (const auto& [name, lattice] : lattices()) {
-        for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay}) {
-            const Tile tile = random_tile(lattice, 60, kind);
+        for (const plane::MeshKind kind : {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay}) {
+            const plane::Tile tile = random_tile(lattice, 60, kind);
             double largest = 0;
             for (int f = 0; f < tile.n_faces(); ++f) {
                 largest = std::max(largest, exchange_by_quadrature(DecayingFlow(tile.lattice),
@@ -80,7 +80,7 @@ TEST(CellFlow, NoCellExchangesMoreThanTheCourantRate) {
 
 TEST(CellFlow, OnAGridOfSquaresItIsTheKnownOne) {
     // The sum of both speeds is at most 1, so the rate is 1 / h less the variation along the edges.
-    const CellFlow cells = flow_on(grid_tile(Lattice::rectangle(1, 1), 40, 40));
+    const CellFlow cells = flow_on(grid_tile(plane::Lattice::rectangle(1, 1), 40, 40));
     EXPECT_FALSE(cells.at_rest);
     EXPECT_NEAR(cells.courant_rate, 40, 0.2);
     EXPECT_NEAR(*std::max_element(cells.tracer.begin(), cells.tracer.end()), 1, 0.02);
@@ -89,21 +89,21 @@ TEST(CellFlow, OnAGridOfSquaresItIsTheKnownOne) {
 TEST(CellFlow, CellsThatCannotRepresentItStartAtRest) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2}) {
-            const CellFlow cells = flow_on(random_tile(lattice, n, MeshKind::kVoronoi));
+            const CellFlow cells = flow_on(random_tile(lattice, n, plane::MeshKind::kVoronoi));
             EXPECT_TRUE(cells.at_rest) << name << ' ' << n;
-            EXPECT_THAT(cells.velocity, Each(Vec2(0, 0))) << name;
+            EXPECT_THAT(cells.velocity, Each(plane::Vec2(0, 0))) << name;
             EXPECT_THAT(cells.tracer, Each(0)) << name;
         }
     }
     // The centroids of 2 x 2 squares lie where the flow stagnates; long cells cross whole waves.
-    EXPECT_TRUE(flow_on(grid_tile(Lattice::rectangle(1, 1), 2, 2)).at_rest);
-    EXPECT_TRUE(flow_on(grid_tile(Lattice::rectangle(1, 1), 1, 50)).at_rest);
+    EXPECT_TRUE(flow_on(grid_tile(plane::Lattice::rectangle(1, 1), 2, 2)).at_rest);
+    EXPECT_TRUE(flow_on(grid_tile(plane::Lattice::rectangle(1, 1), 1, 50)).at_rest);
 }
 
 TEST(CellFlow, SmallCellsOfAnyKindMove) {
     for (const auto& [name, lattice] : lattices()) {
         const int n = static_cast<int>(DecayingFlow(lattice).rate() * lattice.area());
-        for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay}) {
+        for (const plane::MeshKind kind : {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay}) {
             EXPECT_FALSE(flow_on(random_tile(lattice, n, kind)).at_rest) << name << ' ' << n;
         }
     }

@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "mesher/finite_volume/extruded_base.hpp"
-#include "mesher/mesh/outline.hpp"
-#include "mesher/mesh/voronoi.hpp"
-#include "mesher/proof/validate.hpp"
-#include "mesher/tile/tile_builder.hpp"
+#include "mesher/plane/mesh/outline.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
+#include "mesher/plane/proof/validate.hpp"
+#include "mesher/plane/tile/tile_builder.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/random_meshes.hpp"
@@ -30,7 +30,7 @@ std::vector<Eigen::Vector3d> face_points(const ExtrudedMesh& extruded, int f) {
 }
 
 /// Returns the corners of each face, starting with the smallest index.
-std::vector<std::vector<int>> turned_faces(const Tile& tile) {
+std::vector<std::vector<int>> turned_faces(const plane::Tile& tile) {
     std::vector<std::vector<int>> faces;
     for (int f = 0; f < tile.n_faces(); ++f) {
         std::vector<int> face(tile.faces[f].begin(), tile.faces[f].end());
@@ -43,9 +43,10 @@ std::vector<std::vector<int>> turned_faces(const Tile& tile) {
 TEST(ExtrudedMesh, ItsBaseIsTheTile) {
     for (const auto& [name, lattice] : lattices()) {
         for (const int n : {1, 2, 7, 40}) {
-            for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay}) {
-                Tile tile = random_tile(lattice, n, kind);
-                Tile back = extruded_base(extruded_mesh(tile));
+            for (const plane::MeshKind kind :
+                 {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay}) {
+                plane::Tile tile = random_tile(lattice, n, kind);
+                plane::Tile back = extruded_base(extruded_mesh(tile));
                 EXPECT_EQ(back.points, tile.points) << name;
                 EXPECT_EQ(turned_faces(back), turned_faces(tile)) << name;
                 std::sort(back.edge_pairs.begin(), back.edge_pairs.end());
@@ -57,12 +58,13 @@ TEST(ExtrudedMesh, ItsBaseIsTheTile) {
 }
 
 TEST(ExtrudedMesh, NormalsPointOutOfTheOwner) {
-    const Tile tile = random_tile(Lattice({1, 0}, {0.37, 0.81}), 40, MeshKind::kVoronoi);
+    const plane::Tile tile =
+        random_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 40, plane::MeshKind::kVoronoi);
     const ExtrudedMesh extruded = extruded_mesh(tile);
     for (int f = 0; f < extruded.n_faces(); ++f) {
         const auto points = face_points(extruded, f);
         const Eigen::Vector3d normal = (points[1] - points[0]).cross(points[2] - points[0]);
-        const Vec2& site = tile.site_points[extruded.owner[f]];
+        const plane::Vec2& site = tile.site_points[extruded.owner[f]];
         const Eigen::Vector3d centre(site.x(), site.y(), extruded.points.back().z() / 2);
         EXPECT_GT(normal.dot(points[0] - centre), 0) << f;
         if (f >= extruded.n_inner_faces()) continue;
@@ -75,8 +77,8 @@ TEST(ExtrudedMesh, NormalsPointOutOfTheOwner) {
 }
 
 TEST(ExtrudedMesh, FacesOfASeamMatchPointByPoint) {
-    const ExtrudedMesh extruded =
-        extruded_mesh(random_tile(Lattice({1, 0}, {0.37, 0.81}), 40, MeshKind::kVoronoi));
+    const ExtrudedMesh extruded = extruded_mesh(
+        random_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 40, plane::MeshKind::kVoronoi));
     int n_answers = 0;
     for (const ExtrudedPatch& patch : extruded.patches) {
         if (patch.partner < 0) continue;
@@ -99,7 +101,8 @@ TEST(ExtrudedMesh, FacesOfASeamMatchPointByPoint) {
 /// Returns the message of extruded_base for a sound extruded mesh after `damage`.
 template <class Damage>
 std::string fault_after(Damage damage) {
-    ExtrudedMesh extruded = extruded_mesh(testing::grid_tile(Lattice({1, 0}, {0.37, 0.81}), 4, 3));
+    ExtrudedMesh extruded =
+        extruded_mesh(testing::grid_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 4, 3));
     damage(extruded);
     try {
         extruded_base(extruded);
@@ -166,14 +169,15 @@ TEST(ExtrudedMesh, FalseSeamsAreRefused) {
 }
 
 TEST(ExtrudedMesh, SwappedFacesOfASeamAreRefused) {
-    ExtrudedMesh extruded = extruded_mesh(testing::grid_tile(Lattice::rectangle(1, 1), 4, 3));
+    ExtrudedMesh extruded =
+        extruded_mesh(testing::grid_tile(plane::Lattice::rectangle(1, 1), 4, 3));
     const auto first =
         extruded.faces.corners.begin() + extruded.faces.begin[extruded.patches[0].first_face];
     std::swap_ranges(first, first + 4, first + 4);
     std::swap(extruded.owner[extruded.patches[0].first_face],
               extruded.owner[extruded.patches[0].first_face + 1]);
-    const Tile tile = extruded_base(extruded);
-    EXPECT_THROW(compare_edge_pairs(tile, prove_tile(tile, Precision::kDouble)), NotATile);
+    const plane::Tile tile = extruded_base(extruded);
+    EXPECT_THROW(compare_edge_pairs(tile, prove_tile(tile, plane::Precision::kDouble)), NotATile);
 }
 
 }  // namespace

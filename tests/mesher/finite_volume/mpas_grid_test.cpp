@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/cvt/cvt.hpp"
 #include "mesher/finite_volume/mpas_grid_proof.hpp"
-#include "mesher/mesh/voronoi.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
+#include "mesher/plane/mesh/voronoi.hpp"
 #include "tests/support/hexagons.hpp"
 
 namespace pcvt {
@@ -15,17 +15,17 @@ namespace {
 
 using ::testing::HasSubstr;
 
-MpasGrid hexagons() { return mpas_grid(testing::hexagonal_cells(6, 4), Vec2(0, 0)); }
+MpasGrid hexagons() { return mpas_grid(testing::hexagonal_cells(6, 4), plane::Vec2(0, 0)); }
 
 /// Returns the cells of a CVT that starts from random sites.
-PeriodicMesh optimized_cells(const Lattice& lattice, int n, std::uint64_t seed) {
+plane::PeriodicMesh optimized_cells(const plane::Lattice& lattice, int n, std::uint64_t seed) {
     return periodic_mesh(compute_cvt(lattice, uniform_points(lattice, n, seed), {}).delaunay,
-                         MeshKind::kVoronoi);
+                         plane::MeshKind::kVoronoi);
 }
 
-std::string fault_of(const PeriodicMesh& cells) {
+std::string fault_of(const plane::PeriodicMesh& cells) {
     try {
-        mpas_grid(cells, Vec2(0, 0));
+        mpas_grid(cells, plane::Vec2(0, 0));
     } catch (const InvalidInput& fault) {
         return fault.what();
     }
@@ -37,10 +37,11 @@ TEST(MpasGrid, ItsLawsHoldOnRegularAndOnOptimisedCells) {
     int n_acute = 0;
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         for (const double height : {1.0, 0.7, 3.0}) {
-            const PeriodicMesh cells = optimized_cells(Lattice::rectangle(1, height), 60, seed);
+            const plane::PeriodicMesh cells =
+                optimized_cells(plane::Lattice::rectangle(1, height), 60, seed);
             if (!fault_of(cells).empty()) continue;
             ++n_acute;
-            const MpasGridProof proof = prove_mpas_grid(mpas_grid(cells, Vec2(-3.3, 0.4)));
+            const MpasGridProof proof = prove_mpas_grid(mpas_grid(cells, plane::Vec2(-3.3, 0.4)));
             EXPECT_LT(proof.trisk, 1e-13);
             EXPECT_LT(proof.areas, 1e-13);
         }
@@ -49,12 +50,12 @@ TEST(MpasGrid, ItsLawsHoldOnRegularAndOnOptimisedCells) {
 }
 
 TEST(MpasGrid, TheAreasOfManyEqualCellsSumToTheDomain) {
-    const PeriodicMesh cells = testing::hexagonal_cells(300, 300);
-    EXPECT_LT(prove_mpas_grid(mpas_grid(cells, Vec2(0, 0))).areas, 3e-13);
+    const plane::PeriodicMesh cells = testing::hexagonal_cells(300, 300);
+    EXPECT_LT(prove_mpas_grid(mpas_grid(cells, plane::Vec2(0, 0))).areas, 3e-13);
 }
 
 TEST(MpasGrid, PointsLieInTheDomainAtTheOrigin) {
-    const MpasGrid grid = mpas_grid(testing::hexagonal_cells(6, 4), Vec2(10, -1));
+    const MpasGrid grid = mpas_grid(testing::hexagonal_cells(6, 4), plane::Vec2(10, -1));
     const auto inside = [](const std::vector<double>& x, double from, double period) {
         return std::all_of(x.begin(), x.end(),
                            [&](double c) { return c >= from && c < from + period; });
@@ -82,9 +83,9 @@ TEST(MpasGrid, RegularHexagonsHaveTheKnownWeights) {
 
 TEST(MpasGrid, OnRegularHexagonsAConstantFlowHasItsTangentialPart) {
     const MpasGrid grid = hexagons();
-    const Vec2 flow(0.3, -0.8);
+    const plane::Vec2 flow(0.3, -0.8);
     const auto normal = [&](int e) {
-        return Vec2(std::cos(grid.angle_edge[e]), std::sin(grid.angle_edge[e]));
+        return plane::Vec2(std::cos(grid.angle_edge[e]), std::sin(grid.angle_edge[e]));
     };
     for (int e = 0; e < grid.n_edges; ++e) {
         double v = 0;
@@ -92,7 +93,7 @@ TEST(MpasGrid, OnRegularHexagonsAConstantFlowHasItsTangentialPart) {
             v +=
                 grid.weights_on_edge[12 * e + k] * flow.dot(normal(grid.edges_on_edge[12 * e + k]));
         }
-        EXPECT_NEAR(v, flow.dot(Vec2(-normal(e).y(), normal(e).x())), 1e-14);
+        EXPECT_NEAR(v, flow.dot(plane::Vec2(-normal(e).y(), normal(e).x())), 1e-14);
     }
 }
 
@@ -108,7 +109,8 @@ double weight(const MpasGrid& grid, int e, int on) {
 
 // The Coriolis force does no work if d l w is antisymmetric.
 TEST(MpasGrid, WeightsConserveEnergy) {
-    const MpasGrid grid = mpas_grid(optimized_cells(Lattice::rectangle(1, 1), 48, 0), Vec2(0, 0));
+    const MpasGrid grid =
+        mpas_grid(optimized_cells(plane::Lattice::rectangle(1, 1), 48, 0), plane::Vec2(0, 0));
     for (int e = 0; e < grid.n_edges; ++e) {
         for (int k = 0; k < grid.n_edges_on_edge[e]; ++k) {
             const int on = grid.edges_on_edge[2 * std::size_t(grid.max_edges) * e + k];
@@ -164,30 +166,31 @@ TEST(MpasGrid, AWrongNumberBreaksItsLaw) {
 }
 
 TEST(MpasGrid, OnlyRectanglesAreAcceptedInAnyBasis) {
-    EXPECT_EQ(rectangular_periods(Lattice({0, 3}, {2, 0})), Vec2(2, 3));
-    EXPECT_EQ(rectangular_periods(Lattice({2, 0}, {10, 3})), Vec2(2, 3));
-    EXPECT_EQ(rectangular_periods(Lattice({1, 0}, {0.5, 0.75}).repeated(1, 2)), Vec2(1, 1.5));
-    EXPECT_THROW(rectangular_periods(Lattice({1, 0}, {0.3, 0.9})), InvalidInput);
-    EXPECT_THROW(rectangular_periods(Lattice({1, 1}, {-1, 1})), InvalidInput);
+    EXPECT_EQ(rectangular_periods(plane::Lattice({0, 3}, {2, 0})), plane::Vec2(2, 3));
+    EXPECT_EQ(rectangular_periods(plane::Lattice({2, 0}, {10, 3})), plane::Vec2(2, 3));
+    EXPECT_EQ(rectangular_periods(plane::Lattice({1, 0}, {0.5, 0.75}).repeated(1, 2)),
+              plane::Vec2(1, 1.5));
+    EXPECT_THROW(rectangular_periods(plane::Lattice({1, 0}, {0.3, 0.9})), InvalidInput);
+    EXPECT_THROW(rectangular_periods(plane::Lattice({1, 1}, {-1, 1})), InvalidInput);
 }
 
 TEST(MpasGrid, ObtuseAndRightTrianglesAreNamed) {
-    Points points(2, 4);
+    plane::Points points(2, 4);
     points << 0, 0.5, 0, 0.5, 0, 0, 0.5, 0.5;
-    const PeriodicMesh squares =
-        cell_mesh(PeriodicDelaunay(Sites(Lattice::rectangle(1, 1), points)));
+    const plane::PeriodicMesh squares =
+        cell_mesh(plane::PeriodicDelaunay(plane::Sites(plane::Lattice::rectangle(1, 1), points)));
     EXPECT_THAT(fault_of(squares), HasSubstr("has an angle of 90.0 degrees at the first"));
-    const Lattice square = Lattice::rectangle(1, 1);
-    const PeriodicMesh random =
-        cell_mesh(PeriodicDelaunay(Sites(square, uniform_points(square, 50, 2))));
+    const plane::Lattice square = plane::Lattice::rectangle(1, 1);
+    const plane::PeriodicMesh random =
+        cell_mesh(plane::PeriodicDelaunay(plane::Sites(square, uniform_points(square, 50, 2))));
     EXPECT_THAT(fault_of(random), HasSubstr("MPAS needs acute triangles"));
 }
 
 TEST(MpasGrid, TooFewCellsForTheNearestImageAreRefused) {
     EXPECT_THAT(fault_of(testing::hexagonal_cells(2, 2)), HasSubstr("lie half a period apart"));
     EXPECT_EQ(fault_of(repeated(testing::hexagonal_cells(2, 2), 2, 2)), "");
-    EXPECT_NO_THROW(
-        prove_mpas_grid(mpas_grid(repeated(testing::hexagonal_cells(2, 2), 2, 2), Vec2(0, 0))));
+    EXPECT_NO_THROW(prove_mpas_grid(
+        mpas_grid(repeated(testing::hexagonal_cells(2, 2), 2, 2), plane::Vec2(0, 0))));
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 #include <random>
 
 #include "io/run_files/site_reader.hpp"
-#include "mesher/grains/grains.hpp"
-#include "mesher/lattice/domain.hpp"
-#include "mesher/lattice/polygon.hpp"
-#include "mesher/mesh/cell_table.hpp"
+#include "mesher/plane/geometry/domain.hpp"
+#include "mesher/plane/geometry/polygon.hpp"
+#include "mesher/plane/grains/grains.hpp"
+#include "mesher/plane/mesh/cell_table.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_tiles.hpp"
 #include "tests/support/lattices.hpp"
@@ -28,8 +28,8 @@ using testing::random_number;
 int below(std::mt19937_64& random, int n) { return static_cast<int>(random() % std::uint64_t(n)); }
 
 /// Sites at random, in clusters, on a line or on a grid.
-Points some_sites(std::mt19937_64& random, const Lattice& lattice, int n) {
-    Points points = uniform_points(lattice, n, random());
+plane::Points some_sites(std::mt19937_64& random, const plane::Lattice& lattice, int n) {
+    plane::Points points = uniform_points(lattice, n, random());
     const int kind = below(random, 4);
     for (int s = 0; s < n; ++s) {
         const double u = (s + 0.5) / n;
@@ -43,11 +43,11 @@ Points some_sites(std::mt19937_64& random, const Lattice& lattice, int n) {
 WishedAreas some_areas(std::mt19937_64& random, int n) {
     switch (below(random, 4)) {
         case 0:
-            return {.law = parse_area_law("equal"), .name = "equal"};
+            return {.law = plane::parse_area_law("equal"), .name = "equal"};
         case 1:
-            return {.law = parse_area_law("lognormal:0.42"), .name = "lognormal:0.42"};
+            return {.law = plane::parse_area_law("lognormal:0.42"), .name = "lognormal:0.42"};
         case 2:
-            return {.law = parse_area_law("gamma:0.3"), .name = "gamma:0.3"};
+            return {.law = plane::parse_area_law("gamma:0.3"), .name = "gamma:0.3"};
         default:
             Eigen::VectorXd areas(n);
             for (double& a : areas) a = 1 + below(random, 20);
@@ -73,35 +73,35 @@ Job some_job(std::uint64_t seed) {
     job.rows = 1 + below(random, 2);
     job.order = 1 + below(random, 2);
     job.origin = {random_number(random) - 0.5, random_number(random) - 0.5};
-    job.outline = below(random, 2) == 0 ? Outline::kBox : Outline::kWhole;
-    job.finds_origin = job.outline == Outline::kBox && below(random, 2) == 0;
-    job.meshes = {MeshKind::kVoronoi, MeshKind::kGrains};
-    if (job.outline == Outline::kWhole) job.meshes.push_back(MeshKind::kDelaunay);
+    job.outline = below(random, 2) == 0 ? plane::Outline::kBox : plane::Outline::kWhole;
+    job.finds_origin = job.outline == plane::Outline::kBox && below(random, 2) == 0;
+    job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kGrains};
+    if (job.outline == plane::Outline::kWhole) job.meshes.push_back(plane::MeshKind::kDelaunay);
     if (below(random, 3) == 0) job.short_edges = 0.1 * random_number(random);
     if (below(random, 4) == 0) job.grain_per_edge = 1 + below(random, 2);
     return job;
 }
 
 /// Sums of the areas of the faces of each site.
-std::vector<double> areas_by_site(const Tile& tile, int n_sites) {
+std::vector<double> areas_by_site(const plane::Tile& tile, int n_sites) {
     std::vector<double> areas(static_cast<std::size_t>(n_sites));
     for (int f = 0; f < tile.n_faces(); ++f) {
-        Polygon polygon;
+        plane::Polygon polygon;
         for (const int v : tile.faces[f])
             polygon.push_back(tile.points[v] - tile.points[tile.faces[f][0]]);
-        areas[tile.face_site[f]] += polygon_area(polygon);
+        areas[tile.face_site[f]] += plane::polygon_area(polygon);
     }
     return areas;
 }
 
 Eigen::VectorXd wished(const Job& job) {
     const auto& [law, given, name] = *job.areas;
-    return scaled_areas(given.size() > 0 ? given : draw_areas(law, job.n_sites, job.seed),
-                        job.n_sites, job.lattice.area());
+    return plane::scaled_areas(given.size() > 0 ? given : draw_areas(law, job.n_sites, job.seed),
+                               job.n_sites, job.lattice.area());
 }
 
 /// Expects that the faces of each site have its area, also without short edges and in a box.
-void expect_areas(const Job& job, const BuiltTile& built) {
+void expect_areas(const Job& job, const plane::BuiltTile& built) {
     const std::vector<double> areas = areas_by_site(built.tile, job.n_sites);
     const Eigen::VectorXd targets = wished(job);
     for (int s = 0; s < job.n_sites; ++s) {
@@ -124,11 +124,11 @@ Outcome prove_jobs(std::uint64_t first_seed, std::uint64_t end) {
         JobMonitor monitor(silent, {});
         try {
             const Computation computed = compute_job(job, {}).value();
-            for (const BuiltTile& built : proved_tiles(job, computed.cells, monitor)) {
+            for (const plane::BuiltTile& built : proved_tiles(job, computed.cells, monitor)) {
                 ++outcome.n_proved;
                 EXPECT_EQ(built.tile.site_weights.size(), job.areas ? job.n_sites : 0);
                 EXPECT_EQ(built.tile.metric.is_round(), !job.aspect);
-                if (job.areas && built.figures.kind != MeshKind::kDelaunay)
+                if (job.areas && built.figures.kind != plane::MeshKind::kDelaunay)
                     expect_areas(job, built);
             }
         } catch (const DuplicateSites&) {
@@ -157,15 +157,15 @@ TEST(JobAreas, SlowEveryTileIsProvedAndHasTheAreas) {
 TEST(JobAreas, EdgesBendAtCornersOfTheBoxOnly) {
     Job job;
     job.seed = 6;
-    job.lattice = Lattice({0.32141887474073716, 1.4764704141323493},
-                          {-0.81384407912267953, -4.2811419902297212});
+    job.lattice = plane::Lattice({0.32141887474073716, 1.4764704141323493},
+                                 {-0.81384407912267953, -4.2811419902297212});
     job.n_sites = 28;
     job.max_iterations = 4;
     job.aspect = Aspect{.ratio = 3.0534802623573647, .degrees = 171.91731786629538};
     job.columns = job.rows = 2;
     job.origin = {0.05031412278732561, 0.035091504123978545};
-    job.outline = Outline::kBox;
-    job.meshes = {MeshKind::kGrains};
+    job.outline = plane::Outline::kBox;
+    job.meshes = {plane::MeshKind::kGrains};
     const JobCallback silent;
     JobMonitor monitor(silent, {});
     const Computation computed = compute_job(job, {}).value();
@@ -187,7 +187,8 @@ TEST(JobAreas, CellsHaveTheAreasExactly) {
         const RunStatistics& run = computed->cells.run;
         EXPECT_EQ(run.stop,
                   run.residual <= job.tolerance ? Stop::kConverged : Stop::kIterationLimit);
-        const CellTable table = cell_table(plane_mesh(computed->cells, MeshKind::kVoronoi));
+        const plane::CellTable table =
+            cell_table(plane_mesh(computed->cells, plane::MeshKind::kVoronoi));
         const Eigen::VectorXd targets = wished(job);
         const double tolerance = std::max(1e-10, computed->cells.areas->rounding);
         for (int s = 0; s < job.n_sites; ++s) {
@@ -198,18 +199,18 @@ TEST(JobAreas, CellsHaveTheAreasExactly) {
 }
 
 /// The power distance of p from the nearest image of each site, in the metric of the cells.
-std::vector<double> power_distances(const Tessellation& cells, const Vec2& p) {
-    const Sites& sites = cells.delaunay.sites();
-    const Lattice& reduced = sites.reduction().reduced;
+std::vector<double> power_distances(const Tessellation& cells, const plane::Vec2& p) {
+    const plane::Sites& sites = cells.delaunay.sites();
+    const plane::Lattice& reduced = sites.reduction().reduced;
     const Eigen::VectorXd& weights = cells.delaunay.weights();
-    const Metric metric = cells.elongation ? cells.elongation->metric : Metric();
+    const plane::Metric metric = cells.elongation ? cells.elongation->metric : plane::Metric();
     std::vector<double> distances;
     for (SiteId s = 0; s < sites.n_sites(); ++s) {
-        const Vec2 u = reduced.to_lattice(metric.to_round(p) - sites.position(s));
+        const plane::Vec2 u = reduced.to_lattice(metric.to_round(p) - sites.position(s));
         double least = std::numeric_limits<double>::infinity();
         for (int i = -1; i <= 1; ++i) {
             for (int j = -1; j <= 1; ++j) {
-                const Vec2 d(u.x() - std::round(u.x()) + i, u.y() - std::round(u.y()) + j);
+                const plane::Vec2 d(u.x() - std::round(u.x()) + i, u.y() - std::round(u.y()) + j);
                 least = std::min(least, reduced.to_plane(d).squaredNorm());
             }
         }
@@ -229,13 +230,13 @@ TEST(JobAreas, CellsAreThoseOfBruteForceInTheMetric) {
             continue;
         }
         std::mt19937_64 random(seed);
-        const PeriodicMesh mesh = plane_mesh(computed->cells, MeshKind::kVoronoi);
+        const plane::PeriodicMesh mesh = plane_mesh(computed->cells, plane::MeshKind::kVoronoi);
         EXPECT_EQ(mesh.lattice.a(), job.lattice.a());
         const double rounding = 1e-7 * job.lattice.area() / job.n_sites;
         for (int f = 0; f < mesh.n_faces(); ++f) {
             // A corner, which is as far from the sites of its other cells.
             const int n = mesh.face_begin[f + 1] - mesh.face_begin[f];
-            const Vec2 p = mesh.point(mesh.face_begin[f] + below(random, n));
+            const plane::Vec2 p = mesh.point(mesh.face_begin[f] + below(random, n));
             const std::vector<double> distances = power_distances(computed->cells, p);
             const double least = *std::min_element(distances.begin(), distances.end());
             EXPECT_LE(distances[mesh.site[f]], least + rounding);
@@ -245,21 +246,22 @@ TEST(JobAreas, CellsAreThoseOfBruteForceInTheMetric) {
 
 TEST(JobAreas, SitesOfAFileKeepTheirNumbersAndPlaces) {
     Job job;
-    job.lattice = Lattice({2, 0}, {0.7, 1});
+    job.lattice = plane::Lattice({2, 0}, {0.7, 1});
     job.n_sites = 50;
     job.points = uniform_points(job.lattice, 50, 3);
     job.areas = WishedAreas{.given = Eigen::VectorXd::LinSpaced(50, 1, 3), .name = "areas.txt"};
     job.aspect = Aspect{.ratio = 2, .degrees = 30};
     job.max_iterations = 0;
     const Computation computed = compute_job(job, {}).value();
-    const Points sites = wrapped_sites(computed.cells, job.origin);
-    const Domain domain(job.lattice, job.origin);
+    const plane::Points sites = wrapped_sites(computed.cells, job.origin);
+    const plane::Domain domain(job.lattice, job.origin);
     for (int s = 0; s < 50; ++s) {
-        const Vec2 p = job.points.col(s);
-        const Vec2 inside = p + job.lattice.translation(domain.offset_into(p));
+        const plane::Vec2 p = job.points.col(s);
+        const plane::Vec2 inside = p + job.lattice.translation(domain.offset_into(p));
         EXPECT_LT((sites.col(s) - inside).norm(), 1e-12);
     }
-    const CellTable table = cell_table(plane_mesh(computed.cells, MeshKind::kVoronoi));
+    const plane::CellTable table =
+        cell_table(plane_mesh(computed.cells, plane::MeshKind::kVoronoi));
     EXPECT_NEAR(table.area[49] / table.area[0], 3, 1e-8);
 }
 
@@ -268,7 +270,7 @@ TEST(JobAreas, SortedAreasOfAFileLieAtRandom) {
     job.n_sites = 400;
     job.areas = WishedAreas{.given = Eigen::VectorXd::LinSpaced(400, 1, 9), .name = "areas.txt"};
     job.max_iterations = 0;
-    const Points sites = wrapped_sites(compute_job(job, {}).value().cells, job.origin);
+    const plane::Points sites = wrapped_sites(compute_job(job, {}).value().cells, job.origin);
     // The correlation of x with the number of the site.
     double sum = 0;
     for (int s = 0; s < 400; ++s) sum += (sites(0, s) - 0.5) * (s - 199.5);
@@ -278,7 +280,7 @@ TEST(JobAreas, SortedAreasOfAFileLieAtRandom) {
 TEST(JobAreas, TheResultIsThatOfTheRoundSpace) {
     // Elongated along x, the unit square is the round rectangle 1/2 x 2.
     Job round;
-    round.lattice = Lattice::rectangle(0.5, 2);
+    round.lattice = plane::Lattice::rectangle(0.5, 2);
     round.points = uniform_points(round.lattice, 80, 1);
     Job job;
     job.points = round.points;
@@ -288,17 +290,17 @@ TEST(JobAreas, TheResultIsThatOfTheRoundSpace) {
     const Computation here = compute_job(job, {}).value();
     const Computation there = compute_job(round, {}).value();
     EXPECT_EQ(here.cells.run.energy, there.cells.run.energy);
-    Points mapped = wrapped_sites(there.cells, Vec2::Zero());
+    plane::Points mapped = wrapped_sites(there.cells, plane::Vec2::Zero());
     mapped.row(0) *= 2;
     mapped.row(1) /= 2;
-    EXPECT_EQ(wrapped_sites(here.cells, Vec2::Zero()), mapped);
+    EXPECT_EQ(wrapped_sites(here.cells, plane::Vec2::Zero()), mapped);
 }
 
 TEST(JobAreas, ProgressNamesTheStepsAndRises) {
     for (const int steps : {-1, 0, 3}) {
         Job job;
         job.n_sites = 200;
-        job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+        job.areas = WishedAreas{.law = plane::parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
         job.max_iterations = steps;
         job.tolerance = 1e-3;
         std::string words;
@@ -324,7 +326,7 @@ TEST(JobAreas, ProgressNamesTheStepsAndRises) {
 TEST(JobAreas, AnyCallOfTheCallbackCancels) {
     Job job;
     job.n_sites = 100;
-    job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+    job.areas = WishedAreas{.law = plane::parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
     job.max_iterations = 2;
     for (int last = 0; last < 12; ++last) {
         int n_calls = 0;
@@ -337,17 +339,17 @@ TEST(JobAreas, SitesOfTheReportsAreThoseOfTheFiles) {
     const TemporaryFolder folder;
     Job job;
     job.n_sites = 30;
-    job.lattice = Lattice({1, 0}, {0.4, 0.9});
+    job.lattice = plane::Lattice({1, 0}, {0.4, 0.9});
     job.aspect = Aspect{.ratio = 3, .degrees = 110};
-    job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+    job.areas = WishedAreas{.law = plane::parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
     job.max_iterations = 1;
     job.origin = {3, -2};
-    job.meshes = {MeshKind::kVoronoi, MeshKind::kGrains};
+    job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kGrains};
     job.outputs = {folder / "t.svg", folder / "t.txt", folder / "t.csv"};
     job.report = folder / "r.json";
     const RunSummary summary = run_job(job, {});
     EXPECT_LT(summary.areas->newton.largest_relative_error, 1e-10);
-    const Points sites = read_sites<2>(folder / "t.txt").points;
+    const plane::Points sites = read_sites<2>(folder / "t.txt").points;
     const Computation computed = compute_job(job, {}).value();
     EXPECT_EQ(sites, wrapped_sites(computed.cells, job.origin));
 }

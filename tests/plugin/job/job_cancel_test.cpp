@@ -10,7 +10,7 @@
 #include <mutex>
 #include <random>
 
-#include "mesher/density/pixel_grid.hpp"
+#include "mesher/plane/density/pixel_grid.hpp"
 #include "plugin/job/job.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -32,12 +32,12 @@ double cpu_seconds() {
 
 /// The seconds of the first triangulation.
 double unit_of_time() {
-    const Lattice square = Lattice::rectangle(1, 1);
+    const plane::Lattice square = plane::Lattice::rectangle(1, 1);
     double best = 1e9;
     for (int k = 0; k < 3; ++k) {
-        const Points points = uniform_points(square, kSites, k);
+        const plane::Points points = uniform_points(square, kSites, k);
         const double begin = cpu_seconds();
-        const PeriodicDelaunay delaunay(Sites(square, points));
+        const plane::PeriodicDelaunay delaunay(plane::Sites(square, points));
         best = std::min(best, cpu_seconds() - begin);
     }
     return best;
@@ -116,12 +116,12 @@ TEST(Cancelling, IsNoticedInBoxesRepeatsAndGrains) {
     Job job = job_of(kSites / 10, 30, folder, {"t.obj"});
     job.columns = 4;
     job.rows = 3;
-    job.outline = Outline::kBox;
+    job.outline = plane::Outline::kBox;
     job.finds_origin = true;
     job.short_edges = 0.1;
     expect_short_pauses(job);
     job = job_of(kSites / 20, 30, folder, {"t.msh", "t.inp", "u.vtu"});
-    job.meshes = {MeshKind::kGrains};
+    job.meshes = {plane::MeshKind::kGrains};
     job.order = 2;
     job.force = true;
     expect_short_pauses(job);
@@ -131,7 +131,7 @@ TEST(Cancelling, IsNoticedInPatternsAndSearches) {
     const TemporaryFolder folder;
     Job job = job_of(kSites, 0, folder, {"t.ply"});
     job.start = Start::kLattice;
-    job.lattice = Lattice({1, 0}, {0.37, 0.81});
+    job.lattice = plane::Lattice({1, 0}, {0.37, 0.81});
     expect_short_pauses(job);
     job = job_of(300, -1, folder, {"u.ply"});
     job.start = Start::kBest;
@@ -143,14 +143,15 @@ TEST(Cancelling, IsNoticedInPatternsAndSearches) {
 TEST(Cancelling, SlowIsNoticedWithDensities) {
     const TemporaryFolder folder;
     Job job = job_of(kSites, 10, folder, {"t.txt"});
-    job.density = shared_density([](const DensityPoint& p) { return 1 + 9 * p.u * p.v; });
+    job.density =
+        plane::shared_density([](const plane::DensityPoint& p) { return 1 + 9 * p.u * p.v; });
     job.start = Start::kCoarse;
     expect_short_pauses(job);
     // Few sites on many pixels.
     job = job_of(30, 3, folder, {"t.txt"});
     std::vector<float> greys(1 << 20);
     for (std::size_t k = 0; k < greys.size(); ++k) greys[k] = float(k % 101) / 100;
-    job.density = pixel_density(PixelGrid(1 << 10, 1 << 10, std::move(greys), 0.1, 1));
+    job.density = pixel_density(plane::PixelGrid(1 << 10, 1 << 10, std::move(greys), 0.1, 1));
     job.force = true;
     expect_short_pauses(job);
 }
@@ -158,7 +159,8 @@ TEST(Cancelling, SlowIsNoticedWithDensities) {
 TEST(Cancelling, IsNoticedWhileAreasAreFitted) {
     const TemporaryFolder folder;
     Job job = job_of(kSites, 1, folder, {"t.svg", "t.csv"});
-    job.areas = WishedAreas{.law = parse_area_law("lognormal:0.42"), .name = "lognormal:0.42"};
+    job.areas =
+        WishedAreas{.law = plane::parse_area_law("lognormal:0.42"), .name = "lognormal:0.42"};
     job.aspect = Aspect{.ratio = 2, .degrees = 30};
     expect_short_pauses(job);
 }
@@ -181,7 +183,7 @@ TEST(Cancelling, AtAnyCheckpointLeavesNothing) {
     constexpr long kMany = 1L << 40;
     const auto run = [](const TemporaryFolder& folder, CancelAt& client) {
         Job job = job_of(200, -1, folder, {"t.obj", "t.glb", "t.msh", "new/t.foam", "t.txt"});
-        job.meshes = {MeshKind::kGrains};
+        job.meshes = {plane::MeshKind::kGrains};
         job.n_threads = 2;
         const ClientScope scope(&client);
         return run_job(job, {}).run.stop;

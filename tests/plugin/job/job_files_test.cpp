@@ -25,7 +25,7 @@ TEST(JobFiles, CompanionsFollowTheirFile) {
 
 TEST(JobFiles, EachMeshHasASeparateFileAndTheSitesHaveOne) {
     Job job;
-    job.meshes = {MeshKind::kDelaunay, MeshKind::kVoronoi};
+    job.meshes = {plane::MeshKind::kDelaunay, plane::MeshKind::kVoronoi};
     job.outputs = {"t.ply", "s.txt"};
     const std::vector<JobFile> files = plan_files(job);
     ASSERT_EQ(files.size(), 3U);
@@ -37,7 +37,7 @@ TEST(JobFiles, EachMeshHasASeparateFileAndTheSitesHaveOne) {
 
 TEST(JobFiles, ACaseIsAFolderAndTheCGridOneForAllMeshes) {
     Job job;
-    job.meshes = {MeshKind::kDelaunay, MeshKind::kVoronoi};
+    job.meshes = {plane::MeshKind::kDelaunay, plane::MeshKind::kVoronoi};
     job.outputs = {"t.foam", "t.nc"};
     const std::vector<JobFile> files = plan_files(job);
     ASSERT_EQ(files.size(), 3U);
@@ -50,7 +50,7 @@ TEST(JobFiles, ACaseIsAFolderAndTheCGridOneForAllMeshes) {
 TEST(JobFiles, ACGridNeedsARectangleAndEveryEdge) {
     Job job;
     job.outputs = {"t.nc"};
-    job.lattice = Lattice({1, 0}, {0.5, 0.8});
+    job.lattice = plane::Lattice({1, 0}, {0.5, 0.8});
     EXPECT_THROW(plan_files(job), InvalidInput);
     job.rows = 2;
     EXPECT_EQ(plan_files(job).size(), 1U);

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "io/mpas/mpas_reader.hpp"
-#include "mesher/search/lattice_pattern.hpp"
+#include "mesher/plane/search/lattice_pattern.hpp"
 #include "plugin/job/job.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -11,13 +11,13 @@ namespace pcvt {
 namespace {
 
 /// Returns the grid that a job writes for the sites of an exact lattice with acute triangles.
-MpasGrid written_grid(const std::optional<Density>& density, int columns) {
-    const Lattice period = Lattice::rectangle(1, 2 / std::sqrt(3));
+MpasGrid written_grid(const std::optional<plane::Density>& density, int columns) {
+    const plane::Lattice period = plane::Lattice::rectangle(1, 2 / std::sqrt(3));
     const testing::TemporaryFolder folder;
     Job job;
     job.lattice = period;
     job.points = pattern_points(best_lattice(period, 48));
-    job.points.colwise() += Vec2(0.01, 0.02);
+    job.points.colwise() += plane::Vec2(0.01, 0.02);
     job.max_iterations = 0;
     job.density = density;
     job.columns = columns;
@@ -29,7 +29,8 @@ MpasGrid written_grid(const std::optional<Density>& density, int columns) {
 
 TEST(JobMpasGrid, TheMeshDensityIsRelativeToItsLargestValueAtTheSites) {
     const auto rho = [](double u) { return 2 + std::cos(2 * M_PI * u); };
-    const Density density = shared_density([&](const DensityPoint& p) { return 7 * rho(p.u); });
+    const plane::Density density =
+        plane::shared_density([&](const plane::DensityPoint& p) { return 7 * rho(p.u); });
     for (const int columns : {1, 2}) {
         const MpasGrid grid = written_grid(density, columns);
         ASSERT_EQ(grid.n_cells, 48 * columns);

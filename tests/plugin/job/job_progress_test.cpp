@@ -28,7 +28,7 @@ Job job_with_every_phase(const TemporaryFolder& folder) {
     Job job;
     job.n_sites = 1000;
     job.n_threads = 2;
-    job.meshes = {MeshKind::kVoronoi, MeshKind::kDelaunay, MeshKind::kGrains};
+    job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay, plane::MeshKind::kGrains};
     job.outputs = {folder / "t.ply", folder / "s.txt"};
     job.report = folder / "r.json";
     return job;

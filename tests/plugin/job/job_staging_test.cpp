@@ -16,10 +16,10 @@ using ::testing::HasSubstr;
 /// Returns a job for a honeycomb that is periodic on a rectangle, which every format supports.
 Job job_for_every_format(const TemporaryFolder& folder, int n_threads) {
     Job job;
-    job.lattice = Lattice::rectangle(1, 2 / std::sqrt(3.0));
+    job.lattice = plane::Lattice::rectangle(1, 2 / std::sqrt(3.0));
     job.n_sites = 192;
     job.start = Start::kLattice;
-    job.meshes = {MeshKind::kVoronoi, MeshKind::kDelaunay};
+    job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay};
     job.n_threads = n_threads;
     for (const std::string extension : {"obj", "ply", "glb", "gltf", "om", "svg", "vtu", "foam"}) {
         job.outputs.push_back(folder / ("tile." + extension));

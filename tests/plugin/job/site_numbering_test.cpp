@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "io/run_files/site_reader.hpp"
-#include "mesher/lattice/polygon.hpp"
-#include "mesher/tile/site_positions.hpp"
+#include "mesher/plane/geometry/polygon.hpp"
+#include "mesher/plane/tile/site_positions.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_files.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -22,8 +22,8 @@ constexpr int kNumberedSites = 64;
 
 /// One combination of the features that change, order or leave out sites.
 struct Features {
-    Walls walls = Walls::kNone;
-    WallCells wall_cells = WallCells::kWhole;
+    plane::Walls walls = plane::Walls::kNone;
+    plane::WallCells wall_cells = plane::WallCells::kWhole;
     bool has_inclusions = false;
     bool has_hole = false;
     /// Sites of a file, in an order of their own, in place of drawn ones.
@@ -31,23 +31,23 @@ struct Features {
     bool has_materials = false;
     bool is_repeated = false;
     bool has_origin = false;
-    Outline outline = Outline::kWhole;
+    plane::Outline outline = plane::Outline::kWhole;
     double short_edges = 0;
 
     bool is_walled(int axis) const { return has_walls_across(walls, axis); }
     /// Whether the job is one that pcvt accepts.
     bool fit_together() const {
         const bool is_free = !has_inclusions || (!are_given && !has_materials);
-        const bool can_move = walls != Walls::kXY || (!is_repeated && !has_origin);
+        const bool can_move = walls != plane::Walls::kXY || (!is_repeated && !has_origin);
         return is_free && can_move && (has_inclusions || !has_hole) &&
-               (walls != Walls::kNone || wall_cells == WallCells::kWhole);
+               (walls != plane::Walls::kNone || wall_cells == plane::WallCells::kWhole);
     }
     std::string text() const {
         std::ostringstream words;
         words << "walls " << walls_row(walls).word << " " << wall_cells_row(wall_cells).word
               << ", inclusions " << has_inclusions << ", hole " << has_hole << ", given "
               << are_given << ", materials " << has_materials << ", repeated " << is_repeated
-              << ", origin " << has_origin << ", box " << (outline == Outline::kBox)
+              << ", origin " << has_origin << ", box " << (outline == plane::Outline::kBox)
               << ", short edges " << short_edges;
         return words.str();
     }
@@ -55,27 +55,28 @@ struct Features {
 
 /// Calls `visit` for every combination that pcvt accepts.
 void for_all_features(const std::function<void(const Features&)>& visit) {
-    for (const WallsRow& walls : kWalls) {
+    for (const plane::WallsRow& walls : plane::kWalls) {
         for (unsigned bits = 0; bits < 1U << 9U; ++bits) {
             const auto bit = [bits](unsigned k) { return (bits >> k & 1U) != 0; };
-            const Features features{.walls = walls.walls,
-                                    .wall_cells = bit(0) ? WallCells::kHalf : WallCells::kWhole,
-                                    .has_inclusions = bit(1),
-                                    .has_hole = bit(2),
-                                    .are_given = bit(3),
-                                    .has_materials = bit(4),
-                                    .is_repeated = bit(5),
-                                    .has_origin = bit(6),
-                                    .outline = bit(7) ? Outline::kBox : Outline::kWhole,
-                                    .short_edges = bit(8) ? 0.1 : 0.0};
+            const Features features{
+                .walls = walls.walls,
+                .wall_cells = bit(0) ? plane::WallCells::kHalf : plane::WallCells::kWhole,
+                .has_inclusions = bit(1),
+                .has_hole = bit(2),
+                .are_given = bit(3),
+                .has_materials = bit(4),
+                .is_repeated = bit(5),
+                .has_origin = bit(6),
+                .outline = bit(7) ? plane::Outline::kBox : plane::Outline::kWhole,
+                .short_edges = bit(8) ? 0.1 : 0.0};
             if (features.fit_together()) visit(features);
         }
     }
 }
 
 /// Sites whose order is neither that of their columns nor of their rows.
-Points scattered_sites(const Lattice& lattice) {
-    Points points(2, kNumberedSites);
+plane::Points scattered_sites(const plane::Lattice& lattice) {
+    plane::Points points(2, kNumberedSites);
     for (int s = 0; s < kNumberedSites; ++s) {
         const int cell = s * 37 % kNumberedSites;
         const double jitter = 0.05 * std::sin(12.9898 * s);
@@ -87,7 +88,7 @@ Points scattered_sites(const Lattice& lattice) {
 
 Job job_with(const Features& features) {
     Job job;
-    job.lattice = Lattice::rectangle(1.25, 1);
+    job.lattice = plane::Lattice::rectangle(1.25, 1);
     job.n_sites = kNumberedSites;
     job.seed = 5;
     job.max_iterations = 2;
@@ -96,7 +97,7 @@ Job job_with(const Features& features) {
     if (features.are_given) {
         job.points = scattered_sites(job.lattice);
         // The sites beside walls move onto them.
-        if (features.wall_cells == WallCells::kWhole) job.max_iterations = 0;
+        if (features.wall_cells == plane::WallCells::kWhole) job.max_iterations = 0;
     }
     if (features.has_inclusions) {
         job.inclusions =
@@ -104,7 +105,7 @@ Job job_with(const Features& features) {
         if (features.has_hole) job.holes = {"a"};
     }
     if (features.has_materials) {
-        job.materials.phases = parse_phases("soft:0.6,hard:0.4");
+        job.materials.phases = plane::parse_phases("soft:0.6,hard:0.4");
         job.materials.draws_orientations = true;
     }
     if (features.is_repeated) {
@@ -130,7 +131,7 @@ TileFile read_tile(const std::string& path) {
 
 /// One row of a table of cells.
 struct Row {
-    Vec2 site;
+    plane::Vec2 site;
     double area;
     std::string phase;
 };
@@ -151,12 +152,13 @@ std::vector<Row> read_table(const std::string& path) {
 }
 
 /// Requires the same sites in the same order, up to translations along the periods.
-void expect_same_sites(const std::vector<Vec2>& found, const std::vector<Vec2>& wanted,
-                       const Job& job, const std::string& where) {
+void expect_same_sites(const std::vector<plane::Vec2>& found,
+                       const std::vector<plane::Vec2>& wanted, const Job& job,
+                       const std::string& where) {
     ASSERT_EQ(found.size(), wanted.size()) << where;
     int n_wrong = 0;
     for (std::size_t s = 0; s < found.size(); ++s) {
-        Vec2 periods = job.lattice.to_lattice(found[s] - wanted[s]);
+        plane::Vec2 periods = job.lattice.to_lattice(found[s] - wanted[s]);
         for (int axis = 0; axis < 2; ++axis) {
             if (!has_walls_across(job.walls, axis)) periods[axis] -= std::round(periods[axis]);
         }
@@ -165,17 +167,17 @@ void expect_same_sites(const std::vector<Vec2>& found, const std::vector<Vec2>& 
     EXPECT_EQ(n_wrong, 0) << where << ": sites of " << found.size() << " lie elsewhere";
 }
 
-std::vector<Vec2> list_of(const Points& points) {
+std::vector<plane::Vec2> list_of(const plane::Points& points) {
     return {points.colwise().begin(), points.colwise().end()};
 }
 
 /// The area of the cell of each site in one period.
-std::vector<double> areas_in(const Tile& tile, std::size_t n_sites) {
+std::vector<double> areas_in(const plane::Tile& tile, std::size_t n_sites) {
     std::vector<double> areas(n_sites, 0);
     for (int f = 0; f < tile.n_faces(); ++f) {
-        std::vector<Vec2> corners;
+        std::vector<plane::Vec2> corners;
         for (const int v : tile.faces[f]) corners.push_back(tile.points[v]);
-        areas.at(tile.face_site[f]) += polygon_area(corners) / (tile.columns * tile.rows);
+        areas.at(tile.face_site[f]) += plane::polygon_area(corners) / (tile.columns * tile.rows);
     }
     return areas;
 }
@@ -203,9 +205,9 @@ void expect_one_numbering(Job job, const std::vector<std::string>& extensions) {
         job.outputs.push_back(folder / ("t." + extension));
     run_job(job, [](const JobProgress&) { return true; });
 
-    const std::vector<Vec2> sites = list_of(read_sites<2>(folder / "t.txt").points);
+    const std::vector<plane::Vec2> sites = list_of(read_sites<2>(folder / "t.txt").points);
     const std::vector<Row> rows = read_table(folder / "t.csv");
-    std::vector<Vec2> of_rows;
+    std::vector<plane::Vec2> of_rows;
     for (const Row& row : rows) of_rows.push_back(row.site);
     expect_same_sites(of_rows, sites, job, "table");
     if (job.points.cols() > 0 && job.max_iterations == 0) {
@@ -225,7 +227,7 @@ std::vector<std::string> extensions_of_cells(const Job& job, int first) {
     int turn = first;
     for (const TileFormat& format : tile_formats()) {
         if (!format.needs_tile() || !format.is_readable() || !format.holds_polygons) continue;
-        const bool is_cut = format.is_folder && job.outline == Outline::kBox;
+        const bool is_cut = format.is_folder && job.outline == plane::Outline::kBox;
         const bool has_turn = ++turn % 4 == 0 || format.extension == ".vtu";
         if (has_turn && !is_cut) extensions.emplace_back(format.extension.substr(1));
     }
@@ -248,7 +250,7 @@ TEST(SiteNumberingSlow, SolversGetTheSameNumbersForAllFeatures) {
         if (features.has_origin || features.short_edges > 0 || features.is_repeated) return;
         SCOPED_TRACE(features.text());
         Job job = job_with(features);
-        job.meshes = {MeshKind::kGrains};
+        job.meshes = {plane::MeshKind::kGrains};
         expect_one_numbering(job, {"msh", "inp", "vtu"});
     });
 }

@@ -172,13 +172,13 @@ TEST(Study, BadStudiesAreRefused) {
 TEST(StudyPictures, CellsFillTheDomainAndSitesLieInIt) {
     for (const auto& [name, lattice] : testing::lattices()) {
         for (const int n : {1, 2, 30}) {
-            const Points points = uniform_points(lattice, n, 4);
-            const CvtResult result = compute_cvt(lattice, points, plain_lbfgs(0, 0));
+            const plane::Points points = uniform_points(lattice, n, 4);
+            const plane::CvtResult result = compute_cvt(lattice, points, plain_lbfgs(0, 0));
             for (const CellPanel& panel :
                  {periodic_panel(result), clipped_panel(lattice, points)}) {
                 double area = 0;
                 for (const CellPanel::Cell& cell : panel.cells) {
-                    area += std::abs(polygon_area(cell.polygon));
+                    area += std::abs(plane::polygon_area(cell.polygon));
                 }
                 EXPECT_NEAR(area / lattice.area(), 1, 1e-9) << name << " n = " << n;
                 EXPECT_EQ(panel.sites.size(), static_cast<std::size_t>(n)) << name;
@@ -188,9 +188,11 @@ TEST(StudyPictures, CellsFillTheDomainAndSitesLieInIt) {
 }
 
 TEST(StudyPictures, ASiteOnTheBorderIsDrawnOnBothSides) {
-    const CvtResult corner = compute_cvt(unit_square(), Vec2(0, 0), plain_lbfgs(0, 0));
+    const plane::CvtResult corner =
+        compute_cvt(unit_square(), plane::Vec2(0, 0), plain_lbfgs(0, 0));
     EXPECT_EQ(periodic_panel(corner).sites.size(), 4u);
-    const CvtResult side = compute_cvt(unit_square(), Vec2(0.3, 1 - 1e-14), plain_lbfgs(0, 0));
+    const plane::CvtResult side =
+        compute_cvt(unit_square(), plane::Vec2(0.3, 1 - 1e-14), plain_lbfgs(0, 0));
     EXPECT_EQ(periodic_panel(side).sites.size(), 2u);
 }
 

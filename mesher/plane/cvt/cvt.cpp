@@ -1,0 +1,226 @@
+#include "mesher/plane/cvt/cvt.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "mesher/base/error.hpp"
+#include "mesher/plane/delaunay/periodic_delaunay.hpp"
+#include "mesher/plane/energy/energy.hpp"
+#include "mesher/plane/energy/hessian.hpp"
+#include "mesher/plane/energy/long_waves.hpp"
+#include "mesher/plane/energy/residuals.hpp"
+#include "mesher/plane/symmetry/folded_density.hpp"
+#include "mesher/plane/symmetry/symmetric_objective.hpp"
+
+namespace pcvt::plane {
+namespace {
+
+/// The longest move of a site in one step, in units of h. Beyond it a site leaves its
+/// neighbourhood, where the optimiser's quadratic model holds.
+constexpr double kLargestMove = 0.5;
+constexpr int kSitesPerTask = 1 << 14;
+
+/// The energy as a function of moving sites. It works in the frame and the length unit of the
+/// triangulation, so the optimiser's products and thresholds do not depend on the user's unit.
+class CvtObjective final : public Objective {
+   public:
+    CvtObjective(MovingDelaunay& delaunay, Workers& workers, const SiteConstraints& constraints)
+        : delaunay_(delaunay),
+          workers_(workers),
+          constraints_(constraints),
+          pass_(delaunay, workers) {}
+
+    Eigen::Index n_variables() const override { return 2 * Eigen::Index{delaunay_.n_sites()}; }
+
+    bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) override {
+        energy_.gradient.swap(evaluation.gradient);
+        const bool defined = undo_step() && try_step(direction, t);
+        energy_.gradient.swap(evaluation.gradient);
+        if (!defined) return false;
+        constraints_.fixed.clear(evaluation.gradient);
+        const auto [largest, rms] =
+            residuals(evaluation.gradient, energy_.mass, delaunay_.spacing(), workers_);
+        evaluation.value = energy_.value;
+        evaluation.residual = largest;
+        evaluation.rms_residual = constraints_.fixed.rms_factor() * rms;
+        if (long_waves_) apply_long_waves(evaluation);
+        return true;
+    }
+
+    bool precondition(Evaluation& evaluation) override {
+        if (delaunay_.n_sites() < kFewestForLongWaves) return false;
+        long_waves_ = std::make_unique<LongWaves>(delaunay_, workers_);
+        apply_long_waves(evaluation);
+        return true;
+    }
+
+    void accept() override { delaunay_.settle(); }
+    void reject() override { undo_step(); }
+
+    void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override {
+        steps_to_centroids(evaluation.gradient, energy_.mass, direction);
+    }
+
+    bool has_hessian() const override { return true; }
+    void hessian(BlockMatrix& hessian) const override {
+        assemble_hessian(delaunay_, workers_, hessian);
+        constraints_.fixed.restrict_hessian(hessian);
+    }
+
+   private:
+    void apply_long_waves(Evaluation& evaluation) {
+        long_waves_->apply(evaluation.gradient, evaluation.preconditioned);
+        constraints_.fixed.clear(evaluation.preconditioned);
+    }
+
+    /// Restores the triangulation after a trial that was not accepted.
+    bool undo_step() {
+        if (delaunay_.settled()) return true;
+        delaunay_.step_back();
+        return pass_.evaluate(energy_);
+    }
+
+    bool try_step(const Eigen::VectorXf& direction, double t) {
+        if (t != 0) {
+            if (!delaunay_.step(direction, t, workers_)) return false;
+            if (!constraints_.admit(delaunay_)) return false;
+        }
+        return pass_.evaluate(energy_);
+    }
+
+    MovingDelaunay& delaunay_;
+    Workers& workers_;
+    const SiteConstraints& constraints_;
+    EnergyPass pass_;
+    Energy energy_;
+    std::unique_ptr<LongWaves> long_waves_;
+};
+
+OptimizerOptions optimizer_options(const MovingDelaunay& delaunay, const CvtOptions& options) {
+    return {.tolerance = options.tolerance,
+            .max_iterations = options.max_iterations,
+            .max_move = kLargestMove * delaunay.spacing(),
+            .progress = options.progress,
+            .precondition_below =
+                solver_row(options.solver).preconditions ? options.precondition_below : 0};
+}
+
+SiteConstraints constraints_of(const MovingDelaunay& delaunay, const CvtOptions& options) {
+    SiteConstraints constraints{{}, options.guard};
+    if (options.fixed.empty()) return constraints;
+    if (options.numbering != Numbering::kAsGiven) {
+        throw InvalidInput("fixed sites need the numbering of the input");
+    }
+    const auto n = static_cast<std::size_t>(delaunay.n_sites());
+    std::vector<bool> is_fixed(n, false);
+    for (const SiteId id : options.fixed) {
+        if (id < 0 || id >= delaunay.n_sites()) {
+            throw InvalidInput("site " + std::to_string(id) + " shall be fixed, but there are " +
+                               std::to_string(n) + " sites");
+        }
+        is_fixed[id] = true;
+    }
+    std::vector<bool> ordered(n, false);
+    for (SiteId s = 0; s < delaunay.n_sites(); ++s) ordered[s] = is_fixed[delaunay.original_id(s)];
+    constraints.fixed = FixedPairs(std::move(ordered));
+    return constraints;
+}
+
+/// Minimises the energy of a density and fills in `figures`.
+RunStatistics minimize(MovingDelaunay& delaunay, const Lattice& lattice, const Density& density,
+                       const CvtOptions& options, const OrbitEmbedding* orbits,
+                       std::optional<DensityFigures>& figures) {
+    Workers workers(options.n_threads);
+    const DensityCvtResult result =
+        minimize_density_energy(delaunay, workers, lattice, density,
+                                {.minimize = solver_row(options.solver).minimize_density,
+                                 .optimizer = optimizer_options(delaunay, options),
+                                 .orbits = orbits,
+                                 .constraints = constraints_of(delaunay, options)});
+    figures = result.figures;
+    return result.run;
+}
+
+RunStatistics minimize(MovingDelaunay& delaunay, const CvtOptions& options,
+                       const OrbitEmbedding* orbits) {
+    const int n_tasks = delaunay.n_sites() / kSitesPerTask + 1;
+    Workers workers(std::min(options.n_threads, n_tasks));
+    const SiteConstraints constraints = constraints_of(delaunay, options);
+    CvtObjective all(delaunay, workers, constraints);
+    std::optional<SymmetricObjective> symmetric;
+    if (orbits != nullptr) symmetric.emplace(all, *orbits);
+    Objective& objective = symmetric ? static_cast<Objective&>(*symmetric) : all;
+    const double value_unit = std::pow(delaunay.unit(), 4);
+    OptimizerOptions optimizer = optimizer_options(delaunay, options);
+    if (options.progress) {
+        optimizer.progress = [&](Progress progress) {
+            progress.value *= value_unit;
+            return options.progress(progress);
+        };
+    }
+    RunStatistics run = solver_row(options.solver).minimize(objective, optimizer, workers).run;
+    run.energy *= value_unit;
+    return run;
+}
+
+/// Triangulates the sites and frees the points, which are not needed afterwards.
+MovingDelaunay triangulate(const Lattice& lattice, Points points, Numbering numbering) {
+    return MovingDelaunay(Sites(lattice, points), numbering);
+}
+
+/// @param density, orbits  nullptr: none.
+CvtResult minimized(MovingDelaunay delaunay, const Lattice& lattice, const Density* density,
+                    const OrbitEmbedding* orbits, const CvtOptions& options) {
+    require_distinct(delaunay);
+    // Minimise the energy.
+    CvtOptions with_positions = options;
+    const std::function<Points()> positions = [&delaunay] { return delaunay.positions(); };
+    if (options.progress) {
+        with_positions.progress = [&](Progress progress) {
+            progress.positions = &positions;
+            return options.progress(progress);
+        };
+    }
+    std::optional<DensityFigures> figures;
+    const RunStatistics run =
+        density ? minimize(delaunay, lattice, *density, with_positions, orbits, figures)
+                : minimize(delaunay, with_positions, orbits);
+    // Convert the result to the caller's order and units.
+    const DelaunayCounts counts = delaunay.counts();
+    auto [sites, triangulation] = delaunay.release();
+    const double bound = hexagonal_bound(lattice.area(), sites.n_sites());
+    return {.delaunay = {std::move(sites), std::move(triangulation)},
+            .run = run,
+            .energy_bound = bound,
+            .counts = counts,
+            .density = figures};
+}
+
+}  // namespace
+
+CvtResult compute_cvt(const Lattice& lattice, Points points, const CvtOptions& options) {
+    return minimized(triangulate(lattice, std::move(points), options.numbering), lattice,
+                     options.density ? &*options.density : nullptr, nullptr, options);
+}
+
+CvtResult compute_cvt(const Sites& start, const CvtOptions& options) {
+    return minimized(MovingDelaunay(start, options.numbering), start.lattice(),
+                     options.density ? &*options.density : nullptr, nullptr, options);
+}
+
+CvtResult compute_cvt(const SymmetricSites& start, const CvtOptions& options) {
+    MovingDelaunay delaunay(start.sites);
+    const OrbitEmbedding orbits = tie_orbits(start, delaunay);
+    std::optional<Density> density;
+    if (options.density) density = folded_density(*options.density, start.group);
+    return minimized(std::move(delaunay), start.group.lattice(), density ? &*density : nullptr,
+                     &orbits, options);
+}
+
+double hexagonal_bound(double area, int n_sites) {
+    return 5 * area * area / (18 * std::sqrt(3.0) * n_sites);
+}
+
+}  // namespace pcvt::plane

@@ -1,0 +1,171 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "mesher/base/error.hpp"
+#include "mesher/plane/geometry/lattice.hpp"
+
+namespace pcvt::plane {
+
+/// A point of the torus, given by its image in the parallelogram of the user's basis: lattice
+/// coordinates u, v in [0, 1), and (x, y) = u a + v b in length units.
+struct DensityPoint {
+    double x;
+    double y;
+    double u;
+    double v;
+};
+
+/// Writes rho for each of the given points.
+using DensityFunction = std::function<void(std::span<const DensityPoint>, std::span<double>)>;
+
+class PixelGrid;
+
+/// A density rho > 0 on the torus. It is only evaluated in the parallelogram of the user's basis
+/// and is therefore periodic whatever its formula: a formula that differs at opposite sides jumps
+/// there.
+///
+/// Example usage:
+///
+///     Density density = shared_density([](const DensityPoint& p) { return p.u < 0.5 ? 4 : 1; });
+///     density.u_breaks = {0.5};
+///     const std::vector<double> rho = densities_at(density, lattice, points);
+struct Density {
+    /// Creates a function for one thread. Each function is called by one thread at a time, several
+    /// functions concurrently.
+    std::function<DensityFunction()> make_function;
+    /// Break lines, where the density may have a kink or a jump: coordinates along u and along v in
+    /// [0, 1), ascending. Integrals are cut there and remain as accurate as for a smooth density.
+    /// They are always cut at 0, the seam.
+    std::vector<double> u_breaks = {};
+    std::vector<double> v_breaks = {};
+    /// The picture whose density this is, if any (pixel_grid.hpp).
+    std::shared_ptr<const PixelGrid> pixels = nullptr;
+};
+
+/// Evaluates a function of one point at many points.
+/// @param function  double(const DensityPoint&)
+template <class Function>
+DensityFunction pointwise(Function function) {
+    return [function = std::move(function)](std::span<const DensityPoint> points,
+                                            std::span<double> rho) mutable {
+        for (std::size_t k = 0; k < points.size(); ++k) rho[k] = function(points[k]);
+    };
+}
+
+/// Creates a density from a function of one point that several threads may call concurrently.
+template <class Function>
+Density shared_density(Function function) {
+    return {[function = std::move(function)] { return pointwise(function); }};
+}
+
+/// The same density for a run on another lattice with the same lattice coordinates u and v, such as
+/// that of the round space of a metric (metric.hpp): its function gets x and y on `lattice`.
+Density fixed_to_lattice(Density density, const Lattice& lattice);
+
+/// The largest lattice coordinate in [0, 1).
+inline constexpr double kBelowOne = 1 - 0x1p-53;
+
+/// Limits of a density, and of the ratio of its largest to its least value.
+inline constexpr double kLeastDensity = 1e-60;
+inline constexpr double kGreatestDensity = 1e60;
+inline constexpr double kMostContrast = 1e12;
+
+/// The density is not positive and finite at a point, or its contrast is too large.
+class BadDensity : public InvalidInput {
+   public:
+    using InvalidInput::InvalidInput;
+};
+
+/// Statistics of the evaluations of a density. Sums and extremes do not depend on the order of
+/// evaluations.
+struct DensityRange {
+    double least = kGreatestDensity;
+    double greatest = kLeastDensity;
+    std::int64_t n_evaluations = 0;
+
+    void add(const DensityRange& other);
+    /// @throws BadDensity where the contrast is above kMostContrast.
+    void require_contrast() const;
+};
+
+/// Evaluates a density for one thread and checks every value.
+class DensityProbe {
+   public:
+    DensityProbe(const Lattice& lattice, DensityFunction function)
+        : a_(lattice.a()), b_(lattice.b()), function_(std::move(function)) {}
+
+    /// The point at lattice coordinates in [0, 1]; 1 is replaced by the next smaller double.
+    DensityPoint point(const Vec2& place) const {
+        const Vec2 u = place.cwiseMin(kBelowOne);
+        const Vec2 x = a_ * u.x() + b_ * u.y();
+        return {x.x(), x.y(), u.x(), u.y()};
+    }
+    DensityPoint point(double u, double v) const { return point(Vec2(u, v)); }
+    /// The change of a point with lattice coordinates, a linear map.
+    DensityPoint change(const Vec2& u) const {
+        const Vec2 x = a_ * u.x() + b_ * u.y();
+        return {x.x(), x.y(), u.x(), u.y()};
+    }
+    /// Evaluates rho at many points. The result is valid until the next call and is followed by
+    /// kLanes readable numbers.
+    /// @throws BadDensity naming the first point where rho is not a number in [1e-60, 1e60].
+    std::span<const double> evaluate(std::span<const DensityPoint> points);
+    /// Reserves n more points, to be filled in before evaluate_reserved. The pointer is valid until
+    /// the next call.
+    DensityPoint* reserve(std::size_t n);
+    std::size_t n_reserved() const { return n_reserved_; }
+    /// Evaluates rho at all reserved points, in order, and releases them.
+    std::span<const double> evaluate_reserved() {
+        return evaluate({points_.data(), std::exchange(n_reserved_, 0)});
+    }
+    /// Adds evaluations that were made without this probe.
+    void add(const DensityRange& range) { range_.add(range); }
+    /// Returns the statistics since the last call.
+    DensityRange take_range() { return std::exchange(range_, {}); }
+
+   private:
+    Vec2 a_;
+    Vec2 b_;
+    DensityFunction function_;
+    DensityRange range_;
+    /// The first n_reserved_ points are reserved.
+    std::vector<DensityPoint> points_;
+    std::size_t n_reserved_ = 0;
+    std::vector<double> rho_;
+};
+
+/// A pool of probes of one density, one for each concurrent task.
+class DensityProbes {
+   public:
+    DensityProbes(const Lattice& lattice, const Density& density)
+        : lattice_(lattice), density_(density) {}
+
+    /// Calls work(probe) with a probe that no other task uses. Any thread may call this function at
+    /// any time.
+    void with_probe(const std::function<void(DensityProbe&)>& work);
+    /// The statistics of all finished calls.
+    const DensityRange& range() const { return range_; }
+
+   private:
+    std::unique_ptr<DensityProbe> take();
+
+    Lattice lattice_;
+    const Density& density_;
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<DensityProbe>> idle_;
+    DensityRange range_;
+};
+
+/// Evaluates rho at points, 2 x n, length units, anywhere in the plane, on the calling thread.
+/// @throws BadDensity as DensityProbe does.
+std::vector<double> densities_at(const Density& density, const Lattice& lattice,
+                                 const Points& points);
+
+}  // namespace pcvt::plane

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+
+#include "mesher/plane/interfaces/inclusion_set.hpp"
+#include "mesher/plane/interfaces/size_limits.hpp"
+
+namespace pcvt::plane {
+
+/// What the chords along an interface are as long as.
+struct InterfaceSizing {
+    /// The wanted length of a chord at a point, length units, anywhere in the plane.
+    std::function<double(const Vec2&)> spacing;
+    /// Of each inclusion, in its frame.
+    std::vector<std::vector<SizeLimit>> limits;
+};
+
+/// A corner of the polygon of chords that replaces the curve of an inclusion, and the circle on
+/// which the seeds beside its two chords lie.
+struct InterfaceNode {
+    Vec2 point;
+    double radius;
+    /// At a sharp corner one seed on the bisector is beside both chords: +1 inside of the
+    /// inclusion, -1 outside; else 0.
+    int shared_side = 0;
+};
+
+/// A number of seeds, two a chord, that the curve of a shape has at least, whatever the spacing.
+double fewest_seeds(const Shape& shape);
+
+/// Divides the curve of inclusion k into chords, shorter than the spacing where the curve is bent,
+/// where another part of the interface is near, and at the limits. Corners of a polygon are nodes.
+/// The polygon of the nodes has the area of the shape; those of ellipses lie somewhat outside of
+/// the curve.
+/// @returns the nodes, counter-clockwise, in the frame of the inclusion.
+/// @throws InvalidInput naming the line if a gap is so narrow that more than 10^7 steps are needed.
+std::vector<InterfaceNode> interface_nodes(const InclusionSet& set, int k,
+                                           const InterfaceSizing& sizing);
+
+}  // namespace pcvt::plane

@@ -1,0 +1,100 @@
+#include "mesher/plane/symmetry/folded_density.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace pcvt::plane {
+namespace {
+
+/// In periods: images of one break line differ by rounding.
+constexpr double kSameLine = 1e-12;
+
+double fraction(double u) {
+    const double part = u - std::floor(u);
+    return part < 1 ? part : 0;
+}
+
+/// Adds the images of the break lines along u and v under the operations that map such lines to
+/// such lines.
+void add_images(const PlaneGroup& group, Density& density) {
+    const std::array own{density.u_breaks, density.v_breaks};
+    std::array all{own};
+    for (const LatticeIsometry& g : group.given_operations()) {
+        for (int from = 0; from < 2; ++from) {
+            for (int to = 0; to < 2; ++to) {
+                // The coordinate `to` of the image depends on the coordinate `from` alone.
+                if (g.m[2 * to + from] == 0 || g.m[2 * to + 1 - from] != 0) continue;
+                for (const double at : own[from]) {
+                    all[to].push_back(fraction(g.m[2 * to + from] * at + 0.5 * g.halves[to]));
+                }
+            }
+        }
+    }
+    for (auto& breaks : all) {
+        if (group.row().system != LatticeSystem::kHexagonal) {
+            breaks.insert(breaks.end(), {0.25, 0.5, 0.75});
+        }
+        std::sort(breaks.begin(), breaks.end());
+        const auto same = [](double p, double q) { return q - p <= kSameLine; };
+        breaks.erase(std::unique(breaks.begin(), breaks.end(), same), breaks.end());
+    }
+    density.u_breaks = std::move(all[0]);
+    density.v_breaks = std::move(all[1]);
+}
+
+}  // namespace
+
+Vec2 folded_point(const PlaneGroup& group, const Vec2& u) {
+    Vec2 least = u;
+    for (const LatticeIsometry& g : group.given_operations()) {
+        const Vec2 moved = g(u);
+        const Vec2 image(fraction(moved.x()), fraction(moved.y()));
+        if (std::tuple(image.x(), image.y()) < std::tuple(least.x(), least.y())) least = image;
+    }
+    return least;
+}
+
+Density folded_density(const Density& density, const PlaneGroup& group) {
+    if (group.order() == 1) return density;
+    Density folded = density;
+    folded.pixels = nullptr;
+    folded.make_function = [make = density.make_function, group]() -> DensityFunction {
+        return [function = make(), group, moved = std::vector<DensityPoint>()](
+                   std::span<const DensityPoint> points, std::span<double> rho) mutable {
+            const Lattice& lattice = group.lattice();
+            moved.assign(points.begin(), points.end());
+            for (DensityPoint& p : moved) {
+                const Vec2 u = folded_point(group, {p.u, p.v});
+                const Vec2 x = lattice.a() * u.x() + lattice.b() * u.y();
+                p = {x.x(), x.y(), u.x(), u.y()};
+            }
+            function(moved, rho);
+        };
+    };
+    add_images(group, folded);
+    return folded;
+}
+
+Density mirrored_density(const Density& density, Walls walls) {
+    const std::array scale{has_walls_across(walls, 0) ? 2.0 : 1.0,
+                           has_walls_across(walls, 1) ? 2.0 : 1.0};
+    Density mirrored = density;
+    mirrored.pixels = nullptr;
+    mirrored.make_function = [make = density.make_function, scale]() -> DensityFunction {
+        return [function = make(), scale, moved = std::vector<DensityPoint>()](
+                   std::span<const DensityPoint> points, std::span<double> rho) mutable {
+            moved.assign(points.begin(), points.end());
+            for (DensityPoint& p : moved) {
+                p.u = std::min(scale[0] * p.u, kBelowOne);
+                p.v = std::min(scale[1] * p.v, kBelowOne);
+            }
+            function(moved, rho);
+        };
+    };
+    for (double& u : mirrored.u_breaks) u /= scale[0];
+    for (double& v : mirrored.v_breaks) v /= scale[1];
+    return mirrored;
+}
+
+}  // namespace pcvt::plane

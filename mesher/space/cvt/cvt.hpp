@@ -1,0 +1,46 @@
+#pragma once
+
+#include "mesher/optimize/objective.hpp"
+#include "mesher/space/delaunay/periodic_delaunay.hpp"
+
+namespace pcvt::space {
+
+enum class Solver { kLbfgs, kLloyd };
+
+struct CvtOptions {
+    Solver solver = Solver::kLbfgs;
+    /// The run has converged once every |x_i - g_i| / h is at most this, h the cube root of
+    /// volume / n.
+    double tolerance = 1e-6;
+    /// Negative: no limit. 0: the result is the periodic Voronoi diagram of the given sites.
+    int max_iterations = -1;
+    /// At least 1. The result does not depend on it.
+    int n_threads = 1;
+    ProgressCallback progress = {};
+};
+
+/// A periodic tessellation of space and the figures of the run that computed it.
+struct CvtResult {
+    PeriodicDelaunay delaunay;
+    /// The energy is F, length^5.
+    RunStatistics run;
+    /// Builds of the triangulation after the first one.
+    int n_rebuilds = 0;
+};
+
+/// Moves the sites to a periodic CVT in space.
+///
+/// Example usage:
+///   const Lattice cube = Lattice::box(1, 1, 1);
+///   const CvtResult result = compute_cvt(cube, uniform_points(cube, 1000, 1), {});
+///
+/// @param points  3 x n, length units; need not be wrapped.
+/// @throws InvalidInput as Sites does, and DuplicateSites with all sites that are nearer than
+///         1e-9 h to an earlier one.
+CvtResult compute_cvt(const Lattice& lattice, const Points& points, const CvtOptions& options);
+
+/// The energy of n cells of the body-centred cubic lattice, truncated octahedra, of the same total
+/// volume: no periodic tessellation with less energy is known.
+double body_centred_energy(double volume, int n_sites);
+
+}  // namespace pcvt::space

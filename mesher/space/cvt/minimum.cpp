@@ -1,0 +1,22 @@
+#include "mesher/space/cvt/minimum.hpp"
+
+#include "mesher/optimize/inertia.hpp"
+#include "mesher/space/cvt/hessian.hpp"
+
+namespace pcvt::space {
+namespace {
+
+constexpr int kTranslations = 3;
+
+}  // namespace
+
+Minimum decided_minimum(const PeriodicDelaunay& delaunay) {
+    const auto& [sites, tetrahedra] = delaunay;
+    if (sites.n_sites() == 1) return Minimum::kYes;
+    BlockMatrix hessian;
+    assemble_hessian(tetrahedra, sites.coordinates(),
+                     Frame(sites.reduction().reduced, sites.spacing()), hessian);
+    return minimum_by_inertia(hessian, kTranslations);
+}
+
+}  // namespace pcvt::space

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "mesher/optimize/minimum.hpp"
+#include "mesher/space/delaunay/periodic_delaunay.hpp"
+
+namespace pcvt::space {
+
+/// The number of sites up to which the answer `kYes` takes some seconds.
+inline constexpr int kMostSitesForMinimum = 2000;
+
+/// Decides whether stationary sites of space are a minimum of F, from the exact Hessian
+/// (space_hessian.hpp). One site is always a minimum, since it has a single state modulo
+/// translations.
+///
+/// Example usage:
+///
+///     const Minimum minimum = decided_minimum(result.delaunay);
+///     std::cout << "minimum: " << minimum_name(minimum) << '\n';
+///
+/// Cost: sparse factorisations, of order n^2.
+Minimum decided_minimum(const PeriodicDelaunay& delaunay);
+
+}  // namespace pcvt::space

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <optional>
+
+#include "mesher/space/delaunay/periodic_delaunay.hpp"
+#include "mesher/space/energy/energy.hpp"
+
+namespace pcvt::space {
+
+/// The periodic Delaunay triangulation of moving sites in space, and their energy.
+///
+/// The class renumbers the sites along a Hilbert curve, and sorts the tetrahedra by their sites
+/// when flips have scattered them, so that neighbours are close in memory. Coordinates in the
+/// reduced basis are wrapped only when they leave [-1, 2), and remain multiples of 2^-50. All
+/// lengths are in `unit()`, a power of two near h, and in the Frame.
+///
+/// `step()` moves the sites to a trial position. Then either `settle()` accepts the position, or
+/// `step_back()` returns to the old one.
+///
+/// Example usage:
+///
+///     MovingTetrahedra moving(sites);
+///     moving.evaluate(workers, energy);
+///     const double before = energy.value;
+///     if (moving.step(direction, t)) {
+///         const bool lower = moving.evaluate(workers, energy) && energy.value < before;
+///         lower ? moving.settle() : moving.step_back();
+///     }
+///
+/// Laws, tested by number:
+///   (1) After evaluate(), every tetrahedron is positive and every facet locally Delaunay. Exact;
+///       together the two prove the global periodic Delaunay property.
+///   (2) After evaluate(), the triangulation equals that of a new build, ties included.
+class MovingTetrahedra {
+   public:
+    /// The numbers in a direction for each site: x, y, z, and one that is not used, so that a site
+    /// is two whole pairs of variables (objective.hpp).
+    static constexpr int kNumbersPerSite = 4;
+
+    explicit MovingTetrahedra(const Sites& sites);
+
+    /// The id of the site in the constructor's argument.
+    SiteId original_id(SiteId site) const { return order_[site]; }
+    int n_sites() const { return static_cast<int>(coordinates_.cols()); }
+    /// 3 x n, reduced basis, in [-1, 2).
+    const Points& coordinates() const { return coordinates_; }
+    const TorusTetrahedra& tetrahedra() const { return tetrahedra_; }
+    /// Length units.
+    double unit() const { return unit_; }
+    /// h in units.
+    double spacing() const { return spacing_; }
+    /// The frame, in units.
+    const Frame& frame() const { return frame_; }
+    /// Builds after the first one, and flips.
+    int n_rebuilds() const { return n_rebuilds_; }
+    std::int64_t n_flips() const { return n_flips_; }
+
+    /// Moves the sites by t times `direction`, kNumbersPerSite numbers a site (frame, units).
+    /// @returns false if a move is not finite or longer than two periods; no site has moved then.
+    bool step(const Eigen::VectorXf& direction, double t);
+    /// Moves the sites back to their positions before the last step.
+    void step_back();
+    /// Accepts the current positions.
+    void settle() { settled_ = true; }
+    bool settled() const { return settled_; }
+
+    /// Evaluates, and certifies the triangulation in the same pass. Where a facet is no longer
+    /// Delaunay, it restores the triangulation by flips; where a tetrahedron is inverted, it
+    /// untangles the triangulation (tetrahedra_untangling.hpp). Then it corrects the energy for the
+    /// tetrahedra that were exchanged. It builds the triangulation from scratch if too many facets
+    /// may not be Delaunay, if flips get stuck, or if too many sites would have to move back.
+    /// @returns false if two sites coincide: the only valid next call is then step_back.
+    bool evaluate(Workers& workers, Energy& energy);
+
+    /// Returns the sites and their triangulation in the numbering of the constructor's argument.
+    /// The object must not be used afterwards.
+    PeriodicDelaunay release();
+
+   private:
+    /// The suspects that break law (1): all inverted tetrahedra; without these, all facets that are
+    /// not locally Delaunay, else all facets that may not be.
+    Suspects violations(Suspects suspects) const;
+    /// Local repairs. After one of them, every tetrahedron is positive and every facet is locally
+    /// Delaunay: flips test all facets of the tetrahedra that they add, untangling also tests the
+    /// facets around the sites that it moves, and the pass has certified all others.
+    /// @returns the tetrahedra that the repair exchanged, or nullopt if the triangulation must be
+    ///          built from scratch.
+    std::optional<ExchangedTetrahedra> restore(Suspects wrong);
+    std::optional<ExchangedTetrahedra> flip(const std::vector<int>& facets);
+    std::optional<ExchangedTetrahedra> untangle(const std::vector<int>& inverted,
+                                                std::vector<int> facets);
+    /// Corrects the energy for exchanged tetrahedra if this costs less than another pass.
+    /// @returns false if another pass must compute it.
+    bool correct_energy(ExchangedTetrahedra exchanged, Energy& energy) const;
+    bool rebuild();
+    void keep_sorted();
+    void keep_in_range();
+    Sites wrapped_sites() const { return {lattice_, reduction_, coordinates_}; }
+
+    Lattice lattice_;
+    Reduction reduction_;
+    Gram gram_;
+    double unit_;
+    double spacing_;
+    Frame frame_;
+    std::vector<SiteId> order_;
+    Points coordinates_;
+    /// The coordinates before the last step, with offsets that fit the tetrahedra.
+    Points before_;
+    /// The coordinates where the tetrahedra were positive last, with offsets that fit them; no
+    /// columns if unknown.
+    Points valid_;
+    TorusTetrahedra tetrahedra_;
+    EnergyPass pass_;
+    bool settled_ = true;
+    int n_rebuilds_ = 0;
+    std::int64_t n_flips_ = 0;
+    /// n_flips_ when the tetrahedra were sorted last.
+    std::int64_t n_flips_sorted_ = 0;
+};
+
+}  // namespace pcvt::space

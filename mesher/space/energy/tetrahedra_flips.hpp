@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <initializer_list>
+#include <utility>
+
+#include "mesher/space/delaunay/periodic_delaunay.hpp"
+#include "mesher/space/energy/energy.hpp"
+
+namespace pcvt::space {
+
+/// Bistellar flips on a triangulation of the 3-torus (B. Joe 1991): 2-3, 3-2, and 4-4 where four
+/// corners are coplanar. A facet that is not locally Delaunay but cannot be flipped waits until the
+/// flips of its neighbours put it into the queue again.
+///
+/// Example usage:
+///
+///     TetrahedraFlips flips(tetrahedra, coordinates, gram);
+///     if (!flips.flip(suspects.facets)) rebuild();
+class TetrahedraFlips {
+   public:
+    /// Receives the numbers of the tetrahedra that are new or have another number after a flip.
+    using Observer = std::function<void(const std::vector<int>&)>;
+
+    /// @param coordinates  3 x n, reduced basis; it and the triangulation must outlive this object.
+    ///                     They may change between calls of flip().
+    TetrahedraFlips(TorusTetrahedra& tetrahedra, const Points& coordinates, const Gram& gram,
+                    Observer after_flip = {})
+        : tetrahedra_(tetrahedra),
+          coordinates_(coordinates),
+          gram_(gram),
+          after_flip_(std::move(after_flip)) {}
+
+    /// Flips the suspects that are not locally Delaunay, then the facets that become suspects.
+    /// Every tetrahedron must be positive, and remains so.
+    /// @param facets  all facets that may not be locally Delaunay, besides those that an earlier
+    ///                call could not mend.
+    /// @returns false if facets remain that no flip can mend.
+    bool flip(const std::vector<int>& facets);
+    /// The facets that the last call could not mend.
+    std::size_t n_stuck() const { return queue_.size(); }
+    std::int64_t n_flips() const { return n_flips_; }
+    /// The tetrahedra that all flips so far replaced; this object forgets them.
+    ExchangedTetrahedra take_exchanged() { return std::exchange(exchanged_, {}); }
+
+   private:
+    bool try_flip(int facet);
+    bool flip_edge(int facet, int edge, bool is_flat);
+    /// The facet of a tetrahedron, placed in a frame, opposite to one of its corners.
+    int facet_opposite_to(int tetrahedron, const Corner& corner, Offset frame) const;
+    int turn(const Corner& p, const Corner& q, const Corner& r, const Corner& s) const;
+    void note_exchanged(const std::vector<Tetrahedron>& removed,
+                        const std::vector<Tetrahedron>& added);
+    /// @param suspects  the facets of each new tetrahedron that may not be locally Delaunay.
+    bool replace(const std::vector<TorusTetrahedra::Placed>& old,
+                 const std::vector<Tetrahedron>& fresh, std::initializer_list<int> suspects);
+
+    TorusTetrahedra& tetrahedra_;
+    const Points& coordinates_;
+    Gram gram_;
+    Observer after_flip_;
+    std::vector<int> queue_;
+    ExchangedTetrahedra exchanged_;
+    std::int64_t n_flips_ = 0;
+};
+
+}  // namespace pcvt::space

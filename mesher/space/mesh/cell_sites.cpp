@@ -1,0 +1,117 @@
+#include "mesher/space/mesh/cell_sites.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/base/law_violation.hpp"
+#include "mesher/portable/portable_functions.hpp"
+#include "mesher/space/mesh/cell_faces.hpp"
+
+namespace pcvt::space {
+namespace {
+
+/// Returns the image of p that is nearest to q. Each step goes to the best of the 26 neighbours;
+/// they contain all facets of the Voronoi cell of a reduced lattice, so that no step is left only
+/// at the nearest image.
+Vec3 nearest_image(const Lattice& reduced, const Vec3& p, const Vec3& q) {
+    const Vec3 whole = reduced.to_lattice(q - p).array().round();
+    Vec3 best = p + reduced.to_space(whole);
+    for (bool moved = true; moved;) {
+        moved = false;
+        const Vec3 centre = best;
+        for (int k = 0; k < 27; ++k) {
+            const Offset offset{k / 9 - 1, k / 3 % 3 - 1, k % 3 - 1};
+            const Vec3 image = centre + reduced.translation(offset);
+            if (!((image - q).squaredNorm() < (best - q).squaredNorm())) continue;
+            best = image;
+            moved = true;
+        }
+    }
+    return best;
+}
+
+[[noreturn]] void refuse_cell(int cell, const std::string& what) {
+    throw_violation("of Voronoi cells", "cell " + std::to_string(cell) + " " + what);
+}
+
+/// Examines the faces of a tile against the planes between sites.
+class BisectorProof {
+   public:
+    BisectorProof(const PolyhedralMesh& mesh, const Points& sites, double spacing)
+        : mesh_(mesh), sites_(sites), bodies_(cell_bodies(mesh)), spacing_(spacing) {}
+
+    void prove_face(int face, const Vec3& other) {
+        const int cell = mesh_.owner[face];
+        const Vec3 site = sites_.col(cell);
+        const double distance = (other - site).norm();
+        const Vec3 direction = (other - site) / distance;
+        const Vec3 middle = (site + other) / 2;
+        for (const int v : mesh_.faces[face]) {
+            const double off = std::abs((mesh_.points[v] - middle).dot(direction)) / spacing_;
+            if (!(off <= kBisectorTolerance + mesh_.short_edges)) {
+                refuse_cell(cell,
+                            "has a corner off the plane between its site and a neighbour by " +
+                                in_words(off) + " h");
+            }
+            figures_.from_bisector = std::max(figures_.from_bisector, off);
+        }
+        if (!((bodies_[cell].centroid - middle).dot(direction) < 0)) {
+            refuse_cell(cell, "lies on the side of the site of a neighbour");
+        }
+    }
+
+    CellSiteFigures figures() {
+        for (int s = 0; s < mesh_.n_cells; ++s) {
+            const double off = (bodies_[s].centroid - sites_.col(s)).norm() / spacing_;
+            figures_.from_centroid = std::max(figures_.from_centroid, off);
+        }
+        return figures_;
+    }
+
+   private:
+    const PolyhedralMesh& mesh_;
+    const Points& sites_;
+    std::vector<CellBody> bodies_;
+    double spacing_;
+    CellSiteFigures figures_;
+};
+
+}  // namespace
+
+Points sites_in_cells(const Sites& sites, const PolyhedralMesh& mesh) {
+    const std::vector<CellBody> bodies = cell_bodies(mesh);
+    Points images(3, sites.n_sites());
+    for (SiteId s = 0; s < sites.n_sites(); ++s) {
+        checkpoint_each(s);
+        // The centroid lies inside of the cell, where the image in the cell is the nearest one.
+        images.col(s) =
+            nearest_image(sites.reduction().reduced, sites.position(s), bodies[s].centroid);
+    }
+    return images;
+}
+
+CellSiteFigures prove_cell_sites(const PolyhedralMesh& mesh, const Points& sites) {
+    if (sites.cols() != mesh.n_cells) {
+        throw_violation(kSiteLaw, "there are " + std::to_string(sites.cols()) + " sites of " +
+                                      std::to_string(mesh.n_cells) + " cells");
+    }
+    const double spacing = portable_cbrt(mesh.lattice.volume() / mesh.n_cells);
+    BisectorProof proof(mesh, sites, spacing);
+    for (int f = 0; f < mesh.n_inner_faces(); ++f) {
+        checkpoint_each(f);
+        proof.prove_face(f, sites.col(mesh.neighbour[f]));
+    }
+    for (const PolyhedralPatch& patch : mesh.patches) {
+        // The neighbour across the seam is the partner's owner, back by the translation.
+        const Vec3 back = mesh.lattice.translation(patch.offset);
+        const int partner = mesh.patches[patch.partner].first_face;
+        for (int k = 0; k < patch.n_faces; ++k) {
+            checkpoint_each(k);
+            proof.prove_face(patch.first_face + k, sites.col(mesh.owner[partner + k]) - back);
+        }
+    }
+    return proof.figures();
+}
+
+}  // namespace pcvt::space

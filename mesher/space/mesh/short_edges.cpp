@@ -1,0 +1,267 @@
+#include "mesher/space/mesh/short_edges.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/portable/portable_functions.hpp"
+#include "mesher/space/mesh/polyhedron_graph.hpp"
+
+namespace pcvt::space {
+namespace {
+
+/// A cell keeps this part of its volume.
+constexpr double kLeastVolume = 0.5;
+
+/// The centroid of a cell stays so far from the planes between its site and its neighbours, in
+/// units of the distance of the sites, because files round positions.
+constexpr double kLeastDepth = 1e-6;
+
+/// An edge from vertex `from` in the domain to an image of vertex `to`.
+struct ShortEdge {
+    double length;
+    int from;
+    VertexImage to;
+};
+
+/// Returns the corners of a face when an edge is shrunk to its first end: an image of `to` becomes
+/// one of `from`. Fewer than three are left of a face that vanishes.
+Corners shrunk(Corners corners, const ShortEdge& edge) {
+    for (VertexImage& corner : corners) {
+        if (corner.vertex == edge.to.vertex) {
+            corner = {edge.from, corner.offset - edge.to.offset};
+        }
+    }
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
+    return corners;
+}
+
+/// A diagram that loses edges.
+class ShrinkingComplex {
+   public:
+    ShrinkingComplex(const CellComplex& complex, double shortest)
+        : complex_(complex),
+          part_(shortest),
+          shortest_(shortest * portable_cbrt(complex.reduced.volume() / complex.n_cells)),
+          positions_(complex.vertices),
+          moved_(complex.vertices.size(), 0),
+          is_left_(complex.vertices.size(), true),
+          uses_(static_cast<std::size_t>(complex.n_cells)),
+          cells_(complex.vertices.size()) {
+        for (int f = 0; f < complex.n_faces(); ++f) {
+            checkpoint_each(f);
+            const auto corners = complex.corners_of(f);
+            faces_.emplace_back(corners.begin(), corners.end());
+            const CellFace& face = complex.faces[f];
+            uses_[face.cell].push_back({f, false, {}});
+            uses_[face.neighbour].push_back({f, true, -face.offset});
+            for (const VertexImage& corner : corners) {
+                cells_[corner.vertex].push_back(face.cell);
+                cells_[corner.vertex].push_back(face.neighbour);
+            }
+        }
+        for (std::vector<SiteId>& cells : cells_) keep_once(cells);
+        for (const CellBody& body : cell_bodies(complex)) volumes_.push_back(body.volume);
+    }
+
+    /// Removes what may be removed of the edges that are short now.
+    /// @returns whether it was anything.
+    bool remove_edges() {
+        bool any = false;
+        long n_seen = 0;
+        for (const ShortEdge& edge : short_edges()) {
+            checkpoint_each(n_seen++, 64);
+            if (!is_left_[edge.from] || !is_left_[edge.to.vertex]) continue;
+            if (!(length(edge) < shortest_) || !may_remove(edge)) continue;
+            remove(edge);
+            any = true;
+        }
+        return any;
+    }
+
+    CellComplex result() const {
+        CellComplex left{.reduced = complex_.reduced,
+                         .n_cells = complex_.n_cells,
+                         .sites = complex_.sites,
+                         .short_edges = part_};
+        std::vector<int> number(positions_.size());
+        for (std::size_t v = 0; v < positions_.size(); ++v) {
+            number[v] = static_cast<int>(left.vertices.size());
+            if (is_left_[v]) left.vertices.push_back(positions_[v]);
+        }
+        for (std::size_t f = 0; f < faces_.size(); ++f) {
+            if (faces_[f].empty()) continue;
+            left.faces.push_back(complex_.faces[f]);
+            for (const VertexImage& corner : faces_[f]) {
+                left.corners.push_back({number[corner.vertex], corner.offset});
+            }
+            left.begin.push_back(static_cast<int>(left.corners.size()));
+        }
+        return left;
+    }
+
+   private:
+    /// A face of a cell: translated by `shift` it is in the frame of the cell.
+    struct Use {
+        int face;
+        bool reversed;
+        Offset shift;
+    };
+
+    template <class T>
+    static void keep_once(std::vector<T>& items) {
+        std::sort(items.begin(), items.end());
+        items.erase(std::unique(items.begin(), items.end()), items.end());
+    }
+
+    Vec3 position(const VertexImage& image) const {
+        return positions_[image.vertex] + complex_.reduced.translation(image.offset);
+    }
+    Vec3 middle(const ShortEdge& edge) const {
+        return (positions_[edge.from] + position(edge.to)) / 2;
+    }
+    double length(const ShortEdge& edge) const {
+        return (position(edge.to) - positions_[edge.from]).norm();
+    }
+    /// How far the middle of an edge is from the vertices of the diagram that would lie there.
+    double would_move(const ShortEdge& edge) const {
+        return length(edge) / 2 + std::max(moved_[edge.from], moved_[edge.to.vertex]);
+    }
+
+    /// Edges between different vertices, each once, the shortest first.
+    std::vector<ShortEdge> short_edges() const {
+        std::vector<ShortEdge> edges;
+        for (std::size_t f = 0; f < faces_.size(); ++f) {
+            checkpoint_each(static_cast<long>(f));
+            for (std::size_t k = 0; k < faces_[f].size(); ++k) {
+                const VertexImage& a = faces_[f][k];
+                const VertexImage& b = faces_[f][(k + 1) % faces_[f].size()];
+                // The neighbours of the face see the edge the other way round.
+                const bool forwards = a.vertex < b.vertex;
+                if (a.vertex == b.vertex) continue;
+                const auto& [from, to] = forwards ? std::tie(a, b) : std::tie(b, a);
+                ShortEdge edge{0, from.vertex, {to.vertex, to.offset - from.offset}};
+                edge.length = length(edge);
+                if (edge.length < shortest_) edges.push_back(edge);
+            }
+        }
+        const auto key = [](const ShortEdge& e) { return std::tie(e.length, e.from, e.to); };
+        std::sort(edges.begin(), edges.end(),
+                  [&](const ShortEdge& s, const ShortEdge& t) { return key(s) < key(t); });
+        edges.erase(
+            std::unique(edges.begin(), edges.end(),
+                        [&](const ShortEdge& s, const ShortEdge& t) { return key(s) == key(t); }),
+            edges.end());
+        return edges;
+    }
+
+    std::vector<SiteId> cells_at(const ShortEdge& edge) const {
+        std::vector<SiteId> cells = cells_[edge.from];
+        const std::vector<SiteId>& others = cells_[edge.to.vertex];
+        cells.insert(cells.end(), others.begin(), others.end());
+        keep_once(cells);
+        return cells;
+    }
+
+    /// The faces that a cell has without an edge, seen from outside, in its frame.
+    std::vector<Corners> faces_without(const ShortEdge& edge, SiteId cell) const {
+        std::vector<Corners> faces;
+        for (const Use& use : uses_[cell]) {
+            Corners corners = shrunk(faces_[use.face], edge);
+            if (corners.size() < 3) continue;
+            for (VertexImage& corner : corners) corner.offset = corner.offset + use.shift;
+            // The first corner stays, so that the fan of the face does.
+            if (use.reversed) std::reverse(corners.begin() + 1, corners.end());
+            faces.push_back(std::move(corners));
+        }
+        return faces;
+    }
+
+    CellBody body(const std::vector<Corners>& faces, const ShortEdge& edge) const {
+        const Vec3 end = middle(edge);
+        std::vector<Vec3> points;
+        const auto place = [&](const VertexImage& corner) {
+            if (corner.vertex != edge.from) return position(corner);
+            return Vec3(end + complex_.reduced.translation(corner.offset));
+        };
+        PyramidSum sum(place(faces[0][0]));
+        for (const Corners& face : faces) {
+            points.clear();
+            for (const VertexImage& corner : face) points.push_back(place(corner));
+            sum.add(points);
+        }
+        return sum.body();
+    }
+
+    /// Whether a centroid is nearer to the site of its cell than to those of all neighbours that
+    /// share a face with the cell when an edge is removed.
+    bool is_on_its_side(const Vec3& centroid, const ShortEdge& edge, SiteId cell) const {
+        const Vec3& site = complex_.sites[cell];
+        return std::all_of(uses_[cell].begin(), uses_[cell].end(), [&](const Use& use) {
+            if (shrunk(faces_[use.face], edge).size() < 3) return true;
+            const CellFace& face = complex_.faces[use.face];
+            const Vec3 to_other =
+                complex_.sites[use.reversed ? face.cell : face.neighbour] +
+                complex_.reduced.translation(use.reversed ? use.shift : face.offset) - site;
+            const double along = (centroid - site).dot(to_other) / to_other.squaredNorm();
+            return along < 0.5 - kLeastDepth;
+        });
+    }
+
+    bool may_remove(const ShortEdge& edge) const {
+        if (would_move(edge) > shortest_) return false;
+        for (const SiteId cell : cells_at(edge)) {
+            const std::vector<Corners> faces = faces_without(edge, cell);
+            if (!is_polyhedron(faces)) return false;
+            const CellBody left = body(faces, edge);
+            if (!(left.volume >= kLeastVolume * volumes_[cell])) return false;
+            if (!is_on_its_side(left.centroid, edge, cell)) return false;
+        }
+        return true;
+    }
+
+    void remove(const ShortEdge& edge) {
+        const Vec3 end = middle(edge);
+        const double moved = would_move(edge);
+        const std::vector<SiteId> cells = cells_at(edge);
+        for (const SiteId cell : cells) {
+            for (const Use& use : uses_[cell]) {
+                Corners& face = faces_[use.face];
+                face = shrunk(std::move(face), edge);
+                if (face.size() < 3) face.clear();
+            }
+        }
+        positions_[edge.from] = end;
+        moved_[edge.from] = moved;
+        cells_[edge.from] = cells;
+        is_left_[edge.to.vertex] = false;
+    }
+
+    const CellComplex& complex_;
+    double part_;
+    double shortest_;
+    std::vector<Vec3> positions_;
+    /// The largest distance between a vertex and those of the diagram that lie there now.
+    std::vector<double> moved_;
+    std::vector<bool> is_left_;
+    /// A face that has vanished has no corners.
+    std::vector<Corners> faces_;
+    std::vector<std::vector<Use>> uses_;
+    /// Of each vertex.
+    std::vector<std::vector<SiteId>> cells_;
+    /// Of the cells of the diagram.
+    std::vector<double> volumes_;
+};
+
+}  // namespace
+
+CellComplex without_short_edges(CellComplex complex, double shortest) {
+    if (shortest == 0) return complex;
+    ShrinkingComplex shrinking(complex, shortest);
+    while (shrinking.remove_edges()) {
+    }
+    return shrinking.result();
+}
+
+}  // namespace pcvt::space
