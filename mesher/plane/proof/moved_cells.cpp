@@ -211,6 +211,22 @@ class MovedCells {
                " and " + to_string(corner.cells[1].site) + " by " + in_words(off);
     }
 
+    /// Whether rounding may have turned a triangle of three sites round, or made it a line, as it
+    /// does where single precision makes two sites one.
+    bool may_be_flat(const std::vector<DualSite>& polygon) const {
+        for (std::size_t k = 2; k < polygon.size(); ++k) {
+            for (std::size_t j = 1; j < k; ++j) {
+                for (std::size_t i = 0; i < j; ++i) {
+                    const Vec2 e = polygon[j].point - polygon[i].point;
+                    const Vec2 f = polygon[k].point - polygon[i].point;
+                    const double rounding_of_cross = 2 * rounding_ * (e.norm() + f.norm());
+                    if (std::abs(cross(e, f)) <= rounding_of_cross) return true;
+                }
+            }
+        }
+        return false;
+    }
+
     /// Law (7).
     std::string fault_of_mean(const Corner& corner) const {
         std::vector<DualSite> polygon;
@@ -220,6 +236,7 @@ class MovedCells {
             sites += (sites.empty() ? "" : ", ") + to_string(cell.site);
         }
         const auto mean = dual_mean(polygon, rounding_);
+        if (!mean && may_be_flat(polygon)) return "";
         if (!mean) return " does not go round the sites of its faces, " + sites;
         const double off = mean->point.norm();
         const double tolerance = tolerance_ + mean->error;

@@ -55,6 +55,17 @@ class Duplicates(CliTest):
         self.refuse(2, "^pcvt: --period auto takes the areas of all sites, but 1 of them coincides with an earlier one; "
                     "remove it from the file of sites, and its area$", *run)
 
+    def test_sites_that_single_precision_makes_one_are_proved(self):
+        # The first two lie 1.6e-9 apart.
+        self.write("close.txt", "0.13388144384673584 0.92636529238693333\n0.13388144544699582 0.92636529238693333\n"
+                                "0.52729644320019597 0.93232113116792048\n0.93547618889414508 0.5759150523208032\n"
+                                "0.11430113589330226 0.34323887226787031\n0.0021869326496918307 0.69617076500162578\n")
+        for edges in (0.001, 0.05, 0.3):
+            with self.subTest(edges):
+                self.succeed("mesh", "--input", "close.txt", "--areas", "equal", "--max-iterations", 0, "--period",
+                             "0.535351854,1", "--mesh", "grains", "--short-edges", edges, "-o", "t.gltf", "-o", "t.ply", "--force")
+                self.succeed("check", "t.gltf", "t.ply")
+
     def test_without_any_the_summary_says_so(self):
         self.write("one.txt", "0.1 0.2\n")
         run = self.succeed(*self.mesh("one.txt", "--duplicates", "drop", "--report", "r.json"))
