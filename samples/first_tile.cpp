@@ -8,20 +8,21 @@
 #include "mesher/plane/tile/openmesh_tile.hpp"
 #include "mesher/plane/tile/tile_builder.hpp"
 
-int main() {
-    const pcvt::plane::Lattice lattice({1, 0}, {0.37, 0.81});
-    const pcvt::plane::Points points = pcvt::plane::uniform_points(lattice, 30, /*seed=*/7);
+namespace plane = pcvt::plane;
 
-    const pcvt::plane::CvtResult result = pcvt::plane::compute_cvt(lattice, points, {});
+int main() {
+    const plane::Lattice lattice({1, 0}, {0.37, 0.81});
+    const plane::Points points = plane::uniform_points(lattice, 30, /*seed=*/7);
+
+    const plane::CvtResult result = plane::compute_cvt(lattice, points, {});
     std::printf("energy %.9g, %.6f of the hexagonal bound, after %d evaluations\n",
                 result.run.energy, result.run.energy / result.energy_bound, result.run.evaluations);
 
-    const pcvt::plane::PeriodicMesh cells =
-        pcvt::plane::periodic_mesh(result.delaunay, pcvt::plane::MeshKind::kVoronoi);
-    const pcvt::plane::Tile arrays =
-        pcvt::plane::make_tile(cells, pcvt::plane::whole_outline(cells, {0, 0}));
-    const pcvt::plane::OpenMeshTile any_tile = pcvt::plane::openmesh_tile(arrays);
-    const auto& tile = std::get<pcvt::plane::CellTile>(any_tile);
+    const plane::PeriodicMesh cells =
+        plane::periodic_mesh(result.delaunay, plane::MeshKind::kVoronoi);
+    const plane::Tile arrays = plane::make_tile(cells, plane::whole_outline(cells, {0, 0}));
+    const plane::OpenMeshTile any_tile = plane::openmesh_tile(arrays);
+    const auto& tile = std::get<plane::CellTile>(any_tile);
 
     for (const auto halfedge : tile.mesh.halfedges()) {
         const int partner = tile.mesh.property(tile.identification.partner, halfedge);

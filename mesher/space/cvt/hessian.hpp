@@ -32,7 +32,7 @@ namespace pcvt::space {
 ///     assemble_hessian(moving.tetrahedra(), moving.coordinates(), moving.frame(), hessian);
 ///
 /// Laws, tested by number:
-///   (1) It is the derivative of the gradient (space_energy.hpp), with off-diagonal blocks rounded
+///   (1) It is the derivative of the gradient (energy.hpp), with off-diagonal blocks rounded
 ///       to single precision.
 ///   (2) It is symmetric to the last bit.
 ///   (3) Translations are null vectors, except for rounding.

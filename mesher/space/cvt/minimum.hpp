@@ -9,7 +9,7 @@ namespace pcvt::space {
 inline constexpr int kMostSitesForMinimum = 2000;
 
 /// Decides whether stationary sites of space are a minimum of F, from the exact Hessian
-/// (space_hessian.hpp). One site is always a minimum, since it has a single state modulo
+/// (hessian.hpp). One site is always a minimum, since it has a single state modulo
 /// translations.
 ///
 /// Example usage:

@@ -15,7 +15,7 @@ namespace pcvt::space {
 /// found first: its tetrahedra join the facets of its own cavity to it (A. Bowyer, D. Watson 1981);
 /// then the other images whose cavities share a tetrahedron or a facet with its own are inserted
 /// into this star, as points into a convex hull. All new tetrahedra are those of the star, one of
-/// each orbit. Decisions are those of space_predicates.hpp, its rule for ties included.
+/// each orbit. Decisions are those of predicates.hpp, its rule for ties included.
 ///
 /// Example usage:
 ///

@@ -13,7 +13,7 @@ namespace pcvt::space {
 /// Every circumsphere must extend by less than half a period in each reduced coordinate. Then no
 /// sphere contains two images of a site, the images of a tetrahedron's corners follow from their
 /// coordinates, so that no offset is stored, and new sites keep it so: a sphere that contains no
-/// site is never larger than the largest one before. Decisions are those of space_predicates.hpp,
+/// site is never larger than the largest one before. Decisions are those of predicates.hpp,
 /// its rule for ties included.
 ///
 /// Example usage:

@@ -17,7 +17,7 @@
 namespace pcvt::space {
 namespace {
 
-/// Makes CGAL triangulate images with the predicates of space_predicates.hpp. CGAL breaks ties by
+/// Makes CGAL triangulate images with the predicates of predicates.hpp. CGAL breaks ties by
 /// the lexicographic order of the points, as violates_delaunay() does.
 struct Traits {
     using Point_3 = Image;

@@ -25,7 +25,7 @@ struct MirrorDiagram {
 /// domain [0, 1)^3. Since every image inside of the band is present, only spheres that reach out of
 /// it are examined. Where a site of the domain lies on the convex hull, its own 26 neighbours are
 /// inserted. Exact ties are broken by a rule that is the same for all images
-/// (space_predicates.hpp).
+/// (predicates.hpp).
 /// @throws InternalError if the tetrahedra do not fill the torus.
 MirrorDiagram mirror_diagram(const Sites& sites);
 

@@ -36,7 +36,7 @@ inline Vector cross(const Vector& a, const Vector& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// A facet: four times its w of the edges (space_energy.hpp), and its circumcentre.
+/// A facet: four times its w of the edges (energy.hpp), and its circumcentre.
 struct Facet {
     double value;
     std::array<double, 3> w;

@@ -40,7 +40,7 @@ struct Frame {
 };
 
 /// The contributions of many tetrahedra to the energy, its gradient and the volumes of the cells
-/// (space_energy.hpp), without branches.
+/// (energy.hpp), without branches.
 struct TetrahedronBlock {
     static constexpr int kSize = 32;
     using Row = std::array<double, kSize>;
