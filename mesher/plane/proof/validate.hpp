@@ -68,8 +68,8 @@ struct TileProof {
 /// Together the laws prove that the faces cover the torus exactly once: by (1) to (4) the glued
 /// faces cover every point equally often, and by (5) once.
 ///
-/// Positions are compared coordinate by coordinate within a tolerance of 4 ulps of the largest
-/// coordinate in the given precision. Vertices that coincide modulo the lattice within this
+/// Positions are compared coordinate by coordinate within position_tolerance() of the given
+/// precision. Vertices that coincide modulo the lattice within this
 /// tolerance, directly or by a chain, are one vertex. In double precision two vertices of one tile
 /// must not coincide. In single precision coincident vertices are merged, edges of length zero and
 /// faces with fewer than three remaining corners are dropped, and an area may be negative by at

@@ -21,6 +21,17 @@ const char* const kWallLaw = "(6), walls";
 /// Bounds the rounding errors of the representative, of the period and of their sum, in ulps.
 constexpr double kTranslationUlps = 4;
 
+/// Elongated cells come from the domain of the basis that is reduced in their metric, whose vectors
+/// may be longer than the tile: the largest coordinate of a vertex there, length units. The vertex
+/// and the translation into the tile are rounded at this size. 0 without elongation.
+double farthest_summand(const Tile& tile) {
+    if (tile.metric.is_round()) return 0;
+    const Lattice reduced = reduce(tile.metric.to_round(tile.lattice)).reduced;
+    return (tile.metric.from_round(reduced.a()).cwiseAbs() +
+            tile.metric.from_round(reduced.b()).cwiseAbs())
+        .maxCoeff();
+}
+
 /// The wall on which an edge of a proven tile between walls lies.
 WallSide wall_of(const Tile& tile, int v, int w) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -248,6 +259,7 @@ class Mirror {
 double position_tolerance(const Tile& tile, Precision precision) {
     double largest = 0;
     for (const Vec2& p : tile.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    if (precision == Precision::kDouble) largest = std::max(largest, farthest_summand(tile));
     int exponent = 0;
     std::frexp(largest, &exponent);
     const int digits = precision == Precision::kDouble ? std::numeric_limits<double>::digits

@@ -11,6 +11,13 @@ class ThinCells(CliTest):
             self.succeed("check", "t.obj", "t.vtu")
         self.succeed("mesh", "--sites", 20, "--period", "1,1000", "--short-edges", 0.3, "--repeat", "2x1", "-o", "t.obj", "--force")
 
+    def test_elongated_cells_whose_reduced_basis_is_longer_than_the_tile_keep_their_seam(self):
+        for seed, n in ((8, 9), (19, 17), (53, 9)):
+            self.succeed("mesh", "--sites", n, "--seed", seed, "--max-iterations", 0, "--aspect", "40,45",
+                         "--lattice=-0.358143494,1.31129277,1,-0.13394816", "--mesh", "delaunay", "-o", "t.obj", "-o", "t.msh",
+                         "-o", "t.vtu", "--force")
+            self.succeed("check", "t.obj", "t.msh", "t.vtu")
+
     def test_grains_name_the_cell_and_a_remedy_that_applies(self):
         self.refuse(4, r"^pcvt: the cell of site \d is too thin to be meshed by grains; take more sites, optimise them, or "
                     "shorten the longer period$", "mesh", "--sites", 10, "--period", "1,1e5", "--mesh", "grains", "-o", "t.vtu")
