@@ -82,15 +82,15 @@ static const field option_fields[] = {OPTION(struct_size, SIZE, 1),
 #define CHOICE(name, form, count) \
     { #name, form, offsetof(pcvt_write_options, name), count }
 static const field write_fields[] = {
-    CHOICE(struct_size, SIZE, 1),  CHOICE(report, TEXT, 1),
-    CHOICE(kind, INT32, 1),        CHOICE(outline, INT32, 1),
-    CHOICE(replace, INT32, 1),     CHOICE(colour, INT32, 1),
-    CHOICE(gltf_nodes, INT32, 1),  CHOICE(single_precision, INT32, 1),
-    CHOICE(pixels, INT32, 1),      CHOICE(element, INT32, 1),
-    CHOICE(cut_width, DOUBLES, 1), CHOICE(background, TEXT, 1),
-    CHOICE(voxels, INT32, 2),      CHOICE(job, INT32, 1),
-    CHOICE(reserved, INT32, 1),    CHOICE(thickness, DOUBLES, 1),
-    CHOICE(surface, INT32, 1),     CHOICE(reserved2, INT32, 1)};
+    CHOICE(struct_size, SIZE, 1),   CHOICE(report, TEXT, 1),
+    CHOICE(kind, INT32, 1),         CHOICE(outline, INT32, 1),
+    CHOICE(replace, INT32, 1),      CHOICE(colour, INT32, 1),
+    CHOICE(gltf_nodes, INT32, 1),   CHOICE(single_precision, INT32, 1),
+    CHOICE(pixels, INT32, 1),       CHOICE(element, INT32, 1),
+    CHOICE(cut_width, DOUBLES, 1),  CHOICE(background, TEXT, 1),
+    CHOICE(voxels, INT32, 2),       CHOICE(job, INT32, 1),
+    CHOICE(voxel_layers, INT32, 1), CHOICE(thickness, DOUBLES, 1),
+    CHOICE(surface, INT32, 1),      CHOICE(reserved2, INT32, 1)};
 #define N_FIELDS(fields) (sizeof(fields) / sizeof(fields)[0])
 
 enum { MOST_NUMBERS = 4096 };

@@ -85,7 +85,7 @@ PLANE_C = {
         "write.colour=5 write t.svg", "write.gltf_nodes=3 write t.glb", "write.gltf_nodes=1 write t.obj",
         "write.single_precision=1 write t.obj", "write.pixels=-1 write t.png", "write.pixels=64 write t.obj",
         "write.element=2 write t.inp", "write.cut_width=-1 write t.svg", "write.background=red write t.svg",
-        "write.voxels=1,2 write t.obj", "write.job=2 write t.inp", "write.reserved=1 write t.obj",
+        "write.voxels=1,2 write t.obj", "write.job=2 write t.inp", "write.voxel_layers=1 write t.obj",
         "write.thickness=-1 write t.foam", "write.surface=1 write t.obj", "write.reserved2=1 write t.obj",
         "write.struct_size=8 write t.obj", "write.report=/dev/null/r.json write t.obj", "write s.obj write s.obj",
         "write.replace=1 write s.obj"))), Host("n_sites=3 generate misuse")],

@@ -150,8 +150,10 @@ CONSTRAINTS = {
                     "mesh --sites 30 --aspect 2,30 -o long.vtu --report a.json", "check long.vtu",
                     "2: mesh --sites 5 --areas areas.txt", "2: mesh --sites 5 --areas normal:1",
                     "2: mesh --sites 5 --aspect 0"],
-    "cells-materials": ["mesh --sites 30 --mesh grains --phases soft:0.7,hard:0.3 --job elastic -o job.inp "
-                        "--report r.json",
+    "cells-materials": ["2: mesh --sites 30 --mesh grains --phases soft:0.7,hard:0.3 --job elastic -o job.inp",
+                        "mesh --sites 30 --mesh grains --phases soft:0.7,hard:0.3 --job elastic --material soft:70,0.33 "
+                        "--material hard:200,120,80 -o job.inp --report r.json",
+                        "mesh --sites 9 --material same --phases a:0.5,b:0.5 --voxels 20,20,3 -o layers.vti",
                         "mesh --sites 30 --orientations random --phases a:0.5,b:0.5 -o t.vti -o t.svg "
                         "--colour phase --cells t.csv",
                         "check job.inp t.vti", "2: mesh --sites 5 --phases a:0.5", "2: mesh --sites 5 --phases a"],
