@@ -6,6 +6,7 @@
 #include "io/colours/palette.hpp"
 #include "io/space/space_tile.hpp"
 #include "io/tiles/encoded_file.hpp"
+#include "mesher/plane/geometry/lattice.hpp"
 
 namespace pcvt {
 
