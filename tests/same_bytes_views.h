@@ -47,8 +47,8 @@ static void print_statistics(const pcvt_result* result) {
     print_integers("valences", s.valences, s.n_valences, 1);
     printf("hexagons %d, stop %d, sites %d, iterations %d, evaluations %d, threads %d\n",
            s.n_hexagons, s.stop, s.n_sites, s.iterations, s.evaluations, s.n_threads);
-    printf("mirrors %d, area error %.17g, Newton steps %d, dropped %d\n", s.n_mirrors,
-           s.area_error, s.newton_steps, s.n_dropped);
+    printf("mirrors %d, area error %.17g, Newton steps %d, dropped %d\n", s.n_mirrors, s.area_error,
+           s.newton_steps, s.n_dropped);
     said("pcvt_get_minimum", pcvt_get_minimum(result, &minimum));
     printf("minimum %d\n", minimum);
 }
