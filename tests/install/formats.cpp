@@ -11,13 +11,15 @@
 #include "mesher/plane/search/lattice_pattern.hpp"
 #include "mesher/plane/tile/tile_builder.hpp"
 
+namespace plane = pcvt::plane;
+
 namespace {
 
 /// Formats of whole tori need acute triangles, as the best lattice has them.
-void repeat_grid(const pcvt::TileFormat& format, const pcvt::plane::Lattice& lattice) {
-    const auto points = pcvt::pattern_points(pcvt::best_lattice(lattice, 30));
-    const auto result = pcvt::compute_cvt(lattice, points, {});
-    const auto cells = pcvt::periodic_mesh(result.delaunay, pcvt::plane::MeshKind::kVoronoi);
+void repeat_grid(const pcvt::TileFormat& format, const plane::Lattice& lattice) {
+    const auto points = plane::pattern_points(plane::best_lattice(lattice, 30));
+    const auto result = plane::compute_cvt(lattice, points, {});
+    const auto cells = plane::periodic_mesh(result.delaunay, plane::MeshKind::kVoronoi);
     const pcvt::Torus torus{cells, {0, 0}, {}};
     const auto files = std::get<pcvt::TorusWriter*>(format.write)(torus, "grid");
     const pcvt::MpasGrid back = std::get<pcvt::GridReader*>(format.read)(files);
@@ -27,11 +29,11 @@ void repeat_grid(const pcvt::TileFormat& format, const pcvt::plane::Lattice& lat
 }  // namespace
 
 int main() {
-    const pcvt::plane::Lattice lattice = pcvt::plane::Lattice::rectangle(1, 1);
-    const auto result = pcvt::compute_cvt(lattice, pcvt::uniform_points(lattice, 20, 1), {});
+    const plane::Lattice lattice = plane::Lattice::rectangle(1, 1);
+    const auto result = plane::compute_cvt(lattice, plane::uniform_points(lattice, 20, 1), {});
     // All formats support triangles.
-    const auto mesh = pcvt::periodic_mesh(result.delaunay, pcvt::plane::MeshKind::kDelaunay);
-    const auto tile = pcvt::make_tile(mesh, pcvt::whole_outline(mesh, {0, 0}));
+    const auto mesh = plane::periodic_mesh(result.delaunay, plane::MeshKind::kDelaunay);
+    const auto tile = plane::make_tile(mesh, plane::whole_outline(mesh, {0, 0}));
     for (const pcvt::TileFormat& format : pcvt::tile_formats()) {
         if (format.reads_grid()) repeat_grid(format, lattice);
         if (!format.needs_tile()) continue;
