@@ -9,7 +9,7 @@ namespace pcvt::meshlab {
 namespace {
 
 /// Edges shorter than this, in units of h, do not count as sides.
-constexpr double plane::kShortEdge = 1e-5;
+constexpr double kShortEdge = 1e-5;
 constexpr int kFewest = 3;
 
 /// From three sides to nine.
@@ -82,7 +82,7 @@ std::vector<vcg::Color4b> site_colours(const pcvt_result* result, const TileRequ
         request.kind == PCVT_DELAUNAY
             ? valences_of_sites(periodic_mesh(result, PCVT_DELAUNAY))
             : sides_of_cells(periodic_mesh(result, PCVT_VORONOI),
-                             std::max(plane::kShortEdge, request.options.short_edges));
+                             std::max(kShortEdge, request.options.short_edges));
     std::vector<vcg::Color4b> colours;
     for (const int n : sides) colours.push_back(side_colour(n));
     return colours;
