@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "mesher/base/coincident_sites.hpp"
 #include "mesher/plane/geometry/lattice.hpp"
+#include "mesher/torus/coincident_sites.hpp"
 
 namespace pcvt {
 

@@ -263,7 +263,7 @@ void append_periodic(std::string& text, const plane::Tile& tile, const MshModel&
     text += "$EndPeriodic\n";
 }
 
-/// The value of lines and of midside nodes.
+/// The value of elements and nodes that belong to no cell: lines and midside nodes.
 constexpr int kNoCell = -1;
 
 /// The values of triangles, and kNoCell for lines, in the order of append_elements().

@@ -17,8 +17,8 @@ class SeamMismatch : public NotATile {
    public:
     SeamMismatch(const std::string& what, double mismatch) : NotATile(what), mismatch_(mismatch) {}
 
-    /// The largest distance of one from the image of another that comes nearest to it, in one
-    /// coordinate, length units. Infinite where it was not measured.
+    /// The largest distance of such an edge or triangle from the nearest image of another, in one
+    /// coordinate, length units. Infinite if it was not measured.
     double mismatch() const { return mismatch_; }
 
    private:

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "mesher/base/coincident_sites.hpp"
 #include "mesher/optimize/minimum.hpp"
 #include "mesher/optimize/run_statistics.hpp"
+#include "mesher/torus/coincident_sites.hpp"
 #include "plugin/pcvt.h"
 
 namespace pcvt::abi {

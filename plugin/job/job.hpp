@@ -11,7 +11,6 @@
 #include "io/bytes/output_error.hpp"
 #include "io/run_files/inclusion_reader.hpp"
 #include "io/tiles/file_options.hpp"
-#include "mesher/base/coincident_sites.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/plane/areas/target_areas.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
@@ -21,6 +20,7 @@
 #include "mesher/plane/search/lattice_stability.hpp"
 #include "mesher/plane/symmetry/plane_group.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
+#include "mesher/torus/coincident_sites.hpp"
 #include "plugin/job/job_progress.hpp"
 #include "plugin/job/tessellation.hpp"
 

@@ -10,12 +10,12 @@
 
 #include "io/bytes/output_error.hpp"
 #include "io/space_formats.hpp"
-#include "mesher/base/coincident_sites.hpp"
 #include "mesher/space/cvt/cvt.hpp"
 #include "mesher/space/cvt/minimum.hpp"
 #include "mesher/space/mesh/short_edges.hpp"
 #include "mesher/space/proof/polyhedral_proof.hpp"
 #include "mesher/space/search/lattice_stability.hpp"
+#include "mesher/torus/coincident_sites.hpp"
 #include "plugin/job/job_progress.hpp"
 
 namespace pcvt {

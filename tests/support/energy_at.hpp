@@ -19,14 +19,14 @@ inline PlaneEnergy in_plane(const plane::Energy& energy, const plane::MovingDela
     const double unit = delaunay.unit();
     const plane::Vec2 x = reduce(lattice).reduced.a().stableNormalized();
     const plane::Vec2 y(-x.y(), x.x());
-    PlaneEnergy told{energy.value * std::pow(unit, 4), plane::Points(2, n), Eigen::VectorXd(n)};
+    PlaneEnergy result{energy.value * std::pow(unit, 4), plane::Points(2, n), Eigen::VectorXd(n)};
     for (SiteId s = 0; s < n; ++s) {
         const SiteId id = delaunay.original_id(s);
         const plane::Vec2 g = energy.gradient.segment<2>(2 * s) * std::pow(unit, 3);
-        told.gradient.col(id) = g.x() * x + g.y() * y;
-        told.mass[id] = energy.mass[s] * unit * unit;
+        result.gradient.col(id) = g.x() * x + g.y() * y;
+        result.mass[id] = energy.mass[s] * unit * unit;
     }
-    return told;
+    return result;
 }
 
 /// Computes the energy by one pass over a new triangulation.

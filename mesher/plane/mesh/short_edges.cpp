@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/base/offset_disjoint_sets.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
+#include "mesher/torus/offset_disjoint_sets.hpp"
 
 namespace pcvt::plane {
 namespace {

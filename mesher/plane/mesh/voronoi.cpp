@@ -6,9 +6,9 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/base/offset_disjoint_sets.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/mesh/valence.hpp"
+#include "mesher/torus/offset_disjoint_sets.hpp"
 
 namespace pcvt::plane {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
-#include "mesher/base/offset_disjoint_sets.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/tile/face_polygon.hpp"
+#include "mesher/torus/offset_disjoint_sets.hpp"
 
 namespace pcvt::plane {
 namespace {

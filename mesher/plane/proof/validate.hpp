@@ -69,12 +69,11 @@ struct TileProof {
 /// faces cover every point equally often, and by (5) once.
 ///
 /// Positions are compared coordinate by coordinate within position_tolerance() of the given
-/// precision. Vertices that coincide modulo the lattice within this
-/// tolerance, directly or by a chain, are one vertex. In double precision two vertices of one tile
-/// must not coincide. In single precision coincident vertices are merged, edges of length zero and
-/// faces with fewer than three remaining corners are dropped, and an area may be negative by at
-/// most tolerance times perimeter. Cost: O(n log n), plus the square of the number of corners for
-/// each non-convex face.
+/// precision. Vertices that coincide modulo the lattice within this tolerance, directly or by a
+/// chain, are one vertex. In double precision two vertices of one tile must not coincide. In single
+/// precision coincident vertices are merged, edges of length zero and faces with fewer than three
+/// remaining corners are dropped, and an area may be negative by at most tolerance times perimeter.
+/// Cost: O(n log n), plus the square of the number of corners for each non-convex face.
 /// @param least_tolerance  of positions, length units: of files of other programs, whose sides
 /// agree
 ///                         less closely than 4 ulps.

@@ -21,9 +21,10 @@ const char* const kWallLaw = "(6), walls";
 /// Bounds the rounding errors of the representative, of the period and of their sum, in ulps.
 constexpr double kTranslationUlps = 4;
 
-/// Elongated cells come from the domain of the basis that is reduced in their metric, whose vectors
-/// may be longer than the tile: the largest coordinate of a vertex there, length units. The vertex
-/// and the translation into the tile are rounded at this size. 0 without elongation.
+/// The largest coordinate of the domain from which the vertices of elongated cells come, length
+/// units; 0 without elongation. The basis of that domain is reduced in the metric of the cells and
+/// may be longer than the tile. Vertices, and their translations into the tile, are rounded at that
+/// size.
 double farthest_summand(const Tile& tile) {
     if (tile.metric.is_round()) return 0;
     const Lattice reduced = reduce(tile.metric.to_round(tile.lattice)).reduced;

@@ -11,8 +11,8 @@ struct Gluing {
     GluedFaces faces;
 };
 
-/// 4 ulps of the largest coordinate; in double precision, of elongated cells, of the coordinates
-/// that the domain of the basis reduced in their metric reaches, where these are larger.
+/// Four ulps of the largest coordinate, length units. In double precision, the coordinates of the
+/// domain from which elongated cells come count as well.
 double position_tolerance(const Tile& tile, Precision precision);
 
 /// Proves law (6).

@@ -100,14 +100,14 @@ void SiteTree::visit(int node, const Vec2& p, const Vec2& translation, NearestIm
 
 NearestImage SiteTree::nearest(const Vec2& p) const {
     const Vec2 q = p + into_domain(p);
-    NearestImage best{-1, {}, std::numeric_limits<double>::infinity()};
+    NearestImage best{-1, Vec2::Zero(), std::numeric_limits<double>::infinity()};
     for (const Vec2& translation : translations_) visit(0, q, translation, best);
     return best;
 }
 
 NearestImage SiteTree::nearest_of(SiteId site, const Vec2& p) const {
     const Vec2 q = p + into_domain(p);
-    NearestImage best{-1, {}, std::numeric_limits<double>::infinity()};
+    NearestImage best{-1, Vec2::Zero(), std::numeric_limits<double>::infinity()};
     for (const Vec2& translation : translations_) look_at(site, q, translation, best);
     return best;
 }

@@ -9,7 +9,8 @@ namespace pcvt::plane {
 /// The image of a site, length units.
 struct NearestImage {
     SiteId site;
-    /// Its position - p, without the digits that a position far from the origin loses.
+    /// The vector from the point to the site, length units. It keeps the digits that a position
+    /// far from the origin loses.
     Vec2 from_point;
     /// |from_point|^2 - w
     double power_distance;

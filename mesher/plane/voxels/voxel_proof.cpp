@@ -75,16 +75,16 @@ VoxelProof prove_voxels(const VoxelImage& image, const VoxelCells& cells) {
         const NearestImage nearest = tree.nearest(p);
         if (nearest.site == image.site[k]) continue;
         const NearestImage named = tree.nearest_of(image.site[k], p);
-        // The distance of the centre from the line of equal power distance. That line moves by more
-        // than the sites where these are close to each other and far from it.
+        // gap / apart is the distance of the centre from the line of equal power distance. Rounding
+        // of the sites moves that line farther than the sites where these are close to each other.
+        const double gap = (named.power_distance - nearest.power_distance) / 2;
         const double apart = (named.from_point - nearest.from_point).norm();
-        const double excess = (named.power_distance - nearest.power_distance) / (2 * apart);
-        const double leverage = (named.from_point.norm() + nearest.from_point.norm()) / apart;
-        if (!(excess <= kVoxelTolerance * h + leverage * rounding)) {
+        const double reach = named.from_point.norm() + nearest.from_point.norm();
+        if (!(gap <= kVoxelTolerance * h * apart + rounding * reach)) {
             throw NotATile(voxel_name(grid, k) + " names cell " + std::to_string(image.site[k]) +
                            ", but its centre lies in cell " + std::to_string(nearest.site));
         }
-        largest = std::max(largest, excess);
+        if (apart > 0) largest = std::max(largest, gap / apart);
     }
     return {.n_cells = cells.n_cells(),
             .unseen = unseen_cells(image, cells.n_cells()),

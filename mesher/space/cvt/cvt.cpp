@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "mesher/base/coincident_sites.hpp"
 #include "mesher/optimize/lbfgs.hpp"
 #include "mesher/optimize/lloyd.hpp"
 #include "mesher/portable/portable_functions.hpp"
 #include "mesher/space/energy/moving_tetrahedra.hpp"
+#include "mesher/torus/coincident_sites.hpp"
 
 namespace pcvt::space {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
-#include "mesher/base/offset_disjoint_sets.hpp"
 #include "mesher/space/mesh/cell_faces.hpp"
 #include "mesher/space/mesh/seam_pairs.hpp"
+#include "mesher/torus/offset_disjoint_sets.hpp"
 
 namespace pcvt::space {
 namespace {

@@ -13,8 +13,8 @@ namespace {
 /// A cell keeps this part of its volume.
 constexpr double kLeastVolume = 0.5;
 
-/// The centroid of a cell stays so far from the planes between its site and its neighbours, in
-/// units of the distance of the sites, because files round positions.
+/// Least distance of a cell's centroid from the planes between its site and its neighbours, in
+/// units of the distance between the sites. It exceeds the rounding of positions in files.
 constexpr double kLeastDepth = 1e-6;
 
 /// An edge from vertex `from` in the domain to an image of vertex `to`.

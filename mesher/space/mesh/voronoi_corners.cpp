@@ -7,8 +7,8 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/base/offset_disjoint_sets.hpp"
 #include "mesher/portable/wide_double.hpp"
+#include "mesher/torus/offset_disjoint_sets.hpp"
 
 namespace pcvt::space {
 namespace {

@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "mesher/base/coincident_sites.hpp"
+#include "mesher/torus/coincident_sites.hpp"
 
 namespace pcvt::cli {
 

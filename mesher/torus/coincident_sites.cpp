@@ -1,4 +1,4 @@
-#include "mesher/base/coincident_sites.hpp"
+#include "mesher/torus/coincident_sites.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

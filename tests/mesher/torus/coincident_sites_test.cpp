@@ -1,4 +1,4 @@
-#include "mesher/base/coincident_sites.hpp"
+#include "mesher/torus/coincident_sites.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
