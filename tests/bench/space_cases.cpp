@@ -2,7 +2,7 @@
 
 #include "mesher/space/cvt/cvt.hpp"
 #include "mesher/space/delaunay/mirror_diagram.hpp"
-#include "mesher/space/energy/moving_tetrahedra.hpp"
+#include "mesher/space/energy/energy_pass.hpp"
 #include "tests/bench/cases.hpp"
 #include "tests/bench/space_peers.hpp"
 
@@ -67,6 +67,7 @@ void add_space_evaluation(int n) {
         const space::CvtResult start = run_space_to_rms(n, kConverging);
         Workers workers(1);
         space::MovingTetrahedra moving(start.delaunay.sites);
+        space::EnergyPass pass(moving, workers);
         space::Energy energy;
         const Eigen::VectorXf step =
             Eigen::VectorXf::Random(space::MovingTetrahedra::kNumbersPerSite * Eigen::Index{n});
@@ -76,7 +77,7 @@ void add_space_evaluation(int n) {
             way = -way;
             moving.step(step, way);
             state.ResumeTiming();
-            if (!moving.evaluate(workers, energy)) state.SkipWithError("sites coincide");
+            if (!pass.evaluate(energy)) state.SkipWithError("sites coincide");
             moving.settle();
             benchmark::DoNotOptimize(energy.value);
         }

@@ -3,7 +3,7 @@
 #include <random>
 #include <string>
 
-#include "mesher/space/energy/moving_tetrahedra.hpp"
+#include "mesher/space/delaunay/moving_tetrahedra.hpp"
 
 namespace pcvt::testing {
 

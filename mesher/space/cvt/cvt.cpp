@@ -5,7 +5,7 @@
 #include "mesher/optimize/lbfgs.hpp"
 #include "mesher/optimize/lloyd.hpp"
 #include "mesher/portable/portable_functions.hpp"
-#include "mesher/space/energy/moving_tetrahedra.hpp"
+#include "mesher/space/energy/energy_pass.hpp"
 #include "mesher/torus/coincident_sites.hpp"
 
 namespace pcvt::space {
@@ -20,14 +20,14 @@ constexpr double kLargestMove = 0.5;
 class EnergyObjective final : public Objective {
    public:
     EnergyObjective(MovingTetrahedra& moving, Workers& workers)
-        : moving_(moving), workers_(workers) {}
+        : moving_(moving), pass_(moving, workers) {}
 
     Eigen::Index n_variables() const override { return kNumbers * Eigen::Index{moving_.n_sites()}; }
 
     bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) override {
         reject();
         if (t != 0 && !moving_.step(direction, t)) return false;
-        if (!moving_.evaluate(workers_, energy_)) return false;
+        if (!pass_.evaluate(energy_)) return false;
         evaluation.value = energy_.value;
         // The number of each site that is not used stays zero.
         if (evaluation.gradient.size() != n_variables()) evaluation.gradient.setZero(n_variables());
@@ -61,7 +61,7 @@ class EnergyObjective final : public Objective {
 
    private:
     MovingTetrahedra& moving_;
-    Workers& workers_;
+    EnergyPass pass_;
     Energy energy_;
 };
 

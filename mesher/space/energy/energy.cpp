@@ -207,7 +207,7 @@ bool add_tetrahedra(std::span<const Tetrahedron> tetrahedra, double sign, const 
 }  // namespace
 
 /// One task of the pass: a range of tetrahedra.
-struct EnergyPass::Slab {
+struct EnergySums::Slab {
     int first = 0;
     int end = 0;
     SlabSums sums = {};
@@ -223,7 +223,7 @@ struct EnergyPass::Slab {
     void scatter(const TorusTetrahedra& tetrahedra, int at, int n, const TetrahedronBlock& block);
 };
 
-void EnergyPass::Slab::run(const TorusTetrahedra& tetrahedra, const Points& coordinates,
+void EnergySums::Slab::run(const TorusTetrahedra& tetrahedra, const Points& coordinates,
                            const Frame& frame, std::vector<float>& heights) {
     sums.clear(tetrahedra.n_sites());
     value = 0;
@@ -239,7 +239,7 @@ void EnergyPass::Slab::run(const TorusTetrahedra& tetrahedra, const Points& coor
     }
 }
 
-void EnergyPass::Slab::scatter(const TorusTetrahedra& tetrahedra, int at, int n,
+void EnergySums::Slab::scatter(const TorusTetrahedra& tetrahedra, int at, int n,
                                const TetrahedronBlock& block) {
     const auto corners = tetrahedra.corner_sites().subspan(4 * std::size_t(at), 4 * std::size_t(n));
     double part = 0;
@@ -254,7 +254,7 @@ void EnergyPass::Slab::scatter(const TorusTetrahedra& tetrahedra, int at, int n,
 }
 
 /// Collects the elements of lane k that are not certified without their neighbours.
-void EnergyPass::Slab::add_suspects(int t, const TetrahedronBlock& block, int k) {
+void EnergySums::Slab::add_suspects(int t, const TetrahedronBlock& block, int k) {
     if (!(block.thick[k] > 0)) suspects.tetrahedra.push_back(t);
     for (int f = 0; f < 4; ++f) {
         if (!(block.height[f][k] > 0)) suspects.facets.push_back(4 * t + f);
@@ -262,7 +262,7 @@ void EnergyPass::Slab::add_suspects(int t, const TetrahedronBlock& block, int k)
 }
 
 /// Removes the suspects whose two heights have a sum that is certainly positive.
-void EnergyPass::Slab::certify(const TorusTetrahedra& tetrahedra,
+void EnergySums::Slab::certify(const TorusTetrahedra& tetrahedra,
                                const std::vector<float>& heights) {
     std::vector<int>& facets = suspects.facets;
     const auto later = [&](std::size_t k) { return facets[std::min(k, facets.size() - 1)]; };
@@ -280,12 +280,12 @@ void EnergyPass::Slab::certify(const TorusTetrahedra& tetrahedra,
     facets.resize(n_kept);
 }
 
-EnergyPass::EnergyPass() = default;
-EnergyPass::~EnergyPass() = default;
-EnergyPass::EnergyPass(const EnergyPass&) = default;
-EnergyPass& EnergyPass::operator=(const EnergyPass&) = default;
+EnergySums::EnergySums() = default;
+EnergySums::~EnergySums() = default;
+EnergySums::EnergySums(const EnergySums&) = default;
+EnergySums& EnergySums::operator=(const EnergySums&) = default;
 
-void EnergyPass::divide(int n_tetrahedra) {
+void EnergySums::divide(int n_tetrahedra) {
     constexpr int kSize = TetrahedronBlock::kSize;
     const int n_slabs = std::clamp(n_tetrahedra / kTetrahedraPerSlab, 1, kMostSlabs);
     const int n_blocks = (n_tetrahedra + kSize - 1) / kSize;
@@ -299,7 +299,7 @@ void EnergyPass::divide(int n_tetrahedra) {
     }
 }
 
-Suspects EnergyPass::run(const TorusTetrahedra& tetrahedra, const Points& coordinates,
+Suspects EnergySums::run(const TorusTetrahedra& tetrahedra, const Points& coordinates,
                          const Frame& frame, Workers& workers, Energy& energy) {
     divide(tetrahedra.n_tetrahedra());
     const auto n_slabs = static_cast<int>(slabs_.size());
@@ -317,7 +317,7 @@ Suspects EnergyPass::run(const TorusTetrahedra& tetrahedra, const Points& coordi
 }
 
 /// Adds up in the order of the slabs.
-void EnergyPass::add_up(int n_sites, Workers& workers, Energy& energy) const {
+void EnergySums::add_up(int n_sites, Workers& workers, Energy& energy) const {
     energy.value = 0;
     for (const Slab& slab : slabs_) energy.value += slab.value;
     energy.gradient.resize(3 * Eigen::Index{n_sites});

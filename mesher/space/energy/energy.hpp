@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "mesher/base/workers.hpp"
-#include "mesher/space/delaunay/torus_tetrahedra.hpp"
+#include "mesher/space/delaunay/moving_tetrahedra.hpp"
 #include "mesher/space/energy/tetrahedron_terms.hpp"
 
 namespace pcvt::space {
@@ -17,14 +17,6 @@ struct Energy {
     Eigen::VectorXd gradient;
     /// Volumes of the cells, unit^3.
     Eigen::VectorXd volume;
-};
-
-/// The elements that a pass over all tetrahedra could not certify.
-struct Suspects {
-    /// Tetrahedra that are not certified to be positively oriented.
-    std::vector<int> tetrahedra;
-    /// Facets that are not certified to be locally Delaunay; at least one side of each.
-    std::vector<int> facets;
 };
 
 /// The CVT energy in space and its gradient.
@@ -48,9 +40,9 @@ struct Suspects {
 ///
 /// Example usage:
 ///
-///     EnergyPass pass;
+///     EnergySums sums;
 ///     Energy energy;
-///     const Suspects suspects = pass.run(tetrahedra, coordinates, frame, workers, energy);
+///     const Suspects suspects = sums.run(tetrahedra, coordinates, frame, workers, energy);
 ///
 /// Laws, tested by number:
 ///   (1) F is unchanged when any site moves by a lattice translation.
@@ -58,12 +50,12 @@ struct Suspects {
 ///   (3) The volumes sum to the volume of the domain.
 ///   (4) F / n is at least that of a ball of the volume V / n.
 ///   (5) Every bit is the same for any number of workers.
-class EnergyPass {
+class EnergySums {
    public:
-    EnergyPass();
-    ~EnergyPass();
-    EnergyPass(const EnergyPass&);
-    EnergyPass& operator=(const EnergyPass&);
+    EnergySums();
+    ~EnergySums();
+    EnergySums(const EnergySums&);
+    EnergySums& operator=(const EnergySums&);
 
     /// @param coordinates  3 x n, reduced basis.
     Suspects run(const TorusTetrahedra& tetrahedra, const Points& coordinates, const Frame& frame,
@@ -77,12 +69,6 @@ class EnergyPass {
     std::vector<Slab> slabs_;
     /// TetrahedronBlock::height of all tetrahedra, a number a facet.
     std::vector<float> heights_;
-};
-
-/// Tetrahedra that were replaced by others which fill the same polyhedra.
-struct ExchangedTetrahedra {
-    std::vector<Tetrahedron> removed;
-    std::vector<Tetrahedron> added;
 };
 
 /// Corrects an energy for exchanged tetrahedra, at a cost in proportion to their number.

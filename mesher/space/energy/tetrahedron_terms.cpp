@@ -178,20 +178,6 @@ Vector vector(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 }  // namespace
 
-Frame::Frame(const Lattice& reduced, double unit) {
-    const Vec3 a = reduced.a() / unit;
-    const Vec3 b = reduced.b() / unit;
-    const Vec3 c = reduced.c() / unit;
-    ax = a.norm();
-    bx = a.dot(b) / ax;
-    const Vec3 ab = a.cross(b);
-    by = ab.norm() / ax;
-    cx = a.dot(c) / ax;
-    cy = ab.cross(a).dot(c) / (ab.norm() * ax);
-    cz = ab.dot(c) / ab.norm();
-    gram = gram_of(reduced);
-}
-
 PCVT_TARGET_CLONES void TetrahedronBlock::compute(const Frame& frame) {
     const Frame f = frame;
     for (int k = 0; k < kSize; ++k) {

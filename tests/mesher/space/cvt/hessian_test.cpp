@@ -43,7 +43,7 @@ Eigen::VectorXd gradient_at(const Sites& sites, const Points& coordinates) {
     const Sites moved(sites.lattice(), sites.reduction(), coordinates);
     Workers workers(1);
     Energy energy;
-    EnergyPass().run(periodic_delaunay(moved).tetrahedra, moved.coordinates(), frame_of(sites),
+    EnergySums().run(periodic_delaunay(moved).tetrahedra, moved.coordinates(), frame_of(sites),
                      workers, energy);
     return energy.gradient;
 }

@@ -22,7 +22,7 @@ Evaluated evaluated(const PeriodicDelaunay& delaunay, int n_threads = 1) {
     Workers workers(n_threads);
     Evaluated result;
     result.suspects =
-        EnergyPass().run(delaunay.tetrahedra, delaunay.sites.coordinates(),
+        EnergySums().run(delaunay.tetrahedra, delaunay.sites.coordinates(),
                          Frame(delaunay.sites.reduction().reduced, 1), workers, result.energy);
     return result;
 }
@@ -174,7 +174,7 @@ void expect_suspects(const PeriodicDelaunay& delaunay, const Points& u) {
     const TorusTetrahedra& tetrahedra = delaunay.tetrahedra;
     Workers workers(1);
     Energy energy;
-    const Suspects suspects = EnergyPass().run(tetrahedra, u, Frame(reduced, 1), workers, energy);
+    const Suspects suspects = EnergySums().run(tetrahedra, u, Frame(reduced, 1), workers, energy);
     const std::set<int> facets(suspects.facets.begin(), suspects.facets.end());
     const std::set<int> thin(suspects.tetrahedra.begin(), suspects.tetrahedra.end());
     const Gram gram = gram_of(reduced);
@@ -256,7 +256,7 @@ TEST(Suspects, AreFewOfADelaunayTriangulation) {
 /// A pass that ran before, on more or on fewer sites, leaves nothing in the next.
 TEST(Energy, APassKeepsNothingOfTheOneBefore) {
     const Lattice cube = Lattice::box(1, 1, 1);
-    EnergyPass pass;
+    EnergySums pass;
     Workers workers(1);
     for (const int n : {300, 9000, 10, 3000}) {
         SCOPED_TRACE(n);

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "mesher/space/delaunay/mirror_diagram.hpp"
-#include "mesher/space/energy/moving_tetrahedra.hpp"
+#include "mesher/space/energy/energy_pass.hpp"
 #include "tests/support/exact_delaunay.hpp"
 #include "tests/support/random_space_sites.hpp"
 #include "tests/support/space_laws.hpp"
@@ -27,7 +27,7 @@ std::uint64_t setting(const char* name, std::uint64_t usual) {
 Energy energy_in_frame(const PeriodicDelaunay& delaunay, const Frame& frame) {
     Workers workers(1);
     Energy energy;
-    EnergyPass().run(delaunay.tetrahedra, delaunay.sites.coordinates(), frame, workers, energy);
+    EnergySums().run(delaunay.tetrahedra, delaunay.sites.coordinates(), frame, workers, energy);
     return energy;
 }
 
@@ -139,8 +139,9 @@ void run_job(std::mt19937_64& random) {
     SCOPED_TRACE(name);
     MovingTetrahedra moving(sites);
     Workers workers(1);
+    EnergyPass pass(moving, workers);
     Energy energy;
-    ASSERT_TRUE(moving.evaluate(workers, energy));
+    ASSERT_TRUE(pass.evaluate(energy));
     expect_equal_to_full_copies(expect_equal_to_a_new_build(moving, energy));
     std::string moves;
     for (int jump = 0; jump < 4; ++jump) {
@@ -148,14 +149,14 @@ void run_job(std::mt19937_64& random) {
         moves += " " + move.name + ";";
         SCOPED_TRACE(moves);
         if (!moving.step(move.direction, 1)) continue;
-        const bool evaluated = moving.evaluate(workers, energy);
+        const bool evaluated = pass.evaluate(energy);
         // Two sites may have met.
         EXPECT_TRUE(evaluated || move.name == "meeting" || move.name == "to a grid");
         if (evaluated && random() % 4 != 0) {
             moving.settle();
         } else {
             moving.step_back();
-            ASSERT_TRUE(moving.evaluate(workers, energy));
+            ASSERT_TRUE(pass.evaluate(energy));
         }
         const PeriodicDelaunay fresh = expect_equal_to_a_new_build(moving, energy);
         if (jump < 3) continue;

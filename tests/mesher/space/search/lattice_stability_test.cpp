@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mesher/space/energy/moving_tetrahedra.hpp"
+#include "mesher/space/energy/energy_pass.hpp"
 #include "tests/support/hessian_by_differences.hpp"
 
 namespace pcvt::space {
@@ -27,8 +27,9 @@ Eigen::VectorXd gradient_at(const Eigen::Matrix3d& period, const Points& points)
     const Lattice lattice(period.col(0), period.col(1), period.col(2));
     MovingTetrahedra moving(Sites(lattice, points));
     Workers workers(1);
+    EnergyPass pass(moving, workers);
     Energy energy;
-    EXPECT_TRUE(moving.evaluate(workers, energy));
+    EXPECT_TRUE(pass.evaluate(energy));
     Eigen::VectorXd gradient(3 * points.cols());
     for (SiteId s = 0; s < moving.n_sites(); ++s) {
         gradient.segment<3>(3 * Eigen::Index{moving.original_id(s)}) =

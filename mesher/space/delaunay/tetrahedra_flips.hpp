@@ -3,11 +3,17 @@
 #include <functional>
 #include <initializer_list>
 #include <utility>
+#include <vector>
 
 #include "mesher/space/delaunay/periodic_delaunay.hpp"
-#include "mesher/space/energy/energy.hpp"
 
 namespace pcvt::space {
+
+/// Tetrahedra that were replaced by others which fill the same polyhedra.
+struct ExchangedTetrahedra {
+    std::vector<Tetrahedron> removed;
+    std::vector<Tetrahedron> added;
+};
 
 /// Bistellar flips on a triangulation of the 3-torus (B. Joe 1991): 2-3, 3-2, and 4-4 where four
 /// corners are coplanar. A facet that is not locally Delaunay but cannot be flipped waits until the

@@ -1,7 +1,8 @@
-#include "mesher/space/energy/moving_tetrahedra.hpp"
+#include "mesher/space/delaunay/moving_tetrahedra.hpp"
 
 #include <gtest/gtest.h>
 
+#include "mesher/space/energy/energy_pass.hpp"
 #include "tests/support/space_families.hpp"
 #include "tests/support/space_laws.hpp"
 
@@ -23,7 +24,7 @@ void expect_new_build(const MovingTetrahedra& moving, const Lattice& lattice,
     const PeriodicDelaunay fresh = periodic_delaunay(sites);
     Workers workers(1);
     Energy expected;
-    EnergyPass().run(fresh.tetrahedra, sites.coordinates(), moving.frame(), workers, expected);
+    EnergySums().run(fresh.tetrahedra, sites.coordinates(), moving.frame(), workers, expected);
     EXPECT_NEAR(energy.value, expected.value, 1e-12 * expected.value);
     EXPECT_LT((energy.gradient - expected.gradient).norm(), 1e-12 * expected.gradient.norm());
     EXPECT_LT((energy.volume - expected.volume).norm(), 1e-12 * expected.volume.norm());
@@ -38,13 +39,14 @@ TEST(MovingTetrahedra, EqualsANewBuildAfterJumps) {
         const Lattice lattice = testing::random_space_lattice(random);
         const int n = 1 + int(random() % 40);
         MovingTetrahedra moving(Sites(lattice, uniform_points(lattice, n, random())));
+        EnergyPass pass(moving, workers);
         Energy energy;
         for (int jump = 0; jump < 6; ++jump) {
             const double size = moving.frame().ax * std::pow(10.0, -double(random() % 5));
             const Eigen::VectorXf direction = random_direction(n, size, random);
             ASSERT_TRUE(moving.step(direction, 0.5));
             if (jump % 3 == 2) moving.step_back();
-            ASSERT_TRUE(moving.evaluate(workers, energy));
+            ASSERT_TRUE(pass.evaluate(energy));
             moving.settle();
             expect_new_build(moving, lattice, energy);
         }
@@ -57,8 +59,9 @@ TEST(MovingTetrahedra, KeepNeighboursCloseInMemory) {
     const int n = 3000;
     const Lattice cube = Lattice::box(1, 1, 1);
     MovingTetrahedra moving(Sites(cube, uniform_points(cube, n, 1)));
+    EnergyPass pass(moving, workers);
     Energy energy;
-    ASSERT_TRUE(moving.evaluate(workers, energy));
+    ASSERT_TRUE(pass.evaluate(energy));
     const auto share_of_far_neighbours = [&] {
         const TorusTetrahedra& tetrahedra = moving.tetrahedra();
         int n_far = 0;
@@ -72,7 +75,7 @@ TEST(MovingTetrahedra, KeepNeighboursCloseInMemory) {
     const double size = 0.03 * moving.spacing();
     for (int k = 0; k < 60; ++k) {
         ASSERT_TRUE(moving.step(random_direction(n, size, random), 1));
-        ASSERT_TRUE(moving.evaluate(workers, energy));
+        ASSERT_TRUE(pass.evaluate(energy));
         moving.settle();
     }
     EXPECT_GT(moving.n_flips(), moving.tetrahedra().n_tetrahedra());
@@ -87,8 +90,9 @@ TEST(MovingTetrahedra, NeedsANewBuildOnlyAfterTheFirstSteps) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         int first_rebuilds = 0;
         MovingTetrahedra moving(Sites(cube, uniform_points(cube, 500, seed)));
+        EnergyPass pass(moving, workers);
         Energy energy;
-        ASSERT_TRUE(moving.evaluate(workers, energy));
+        ASSERT_TRUE(pass.evaluate(energy));
         for (int k = 0; k < 10; ++k) {
             Eigen::VectorXf direction = Eigen::VectorXf::Zero(4 * moving.n_sites());
             for (SiteId s = 0; s < moving.n_sites(); ++s) {
@@ -96,7 +100,7 @@ TEST(MovingTetrahedra, NeedsANewBuildOnlyAfterTheFirstSteps) {
                     (energy.gradient.segment<3>(3 * s) / (-2 * energy.volume[s])).cast<float>();
             }
             ASSERT_TRUE(moving.step(direction, 1.5));
-            ASSERT_TRUE(moving.evaluate(workers, energy));
+            ASSERT_TRUE(pass.evaluate(energy));
             moving.settle();
             expect_new_build(moving, cube, energy);
             if (k == 1) first_rebuilds = moving.n_rebuilds();
@@ -111,15 +115,16 @@ TEST(MovingTetrahedra, StepBackRestoresEveryCoordinate) {
     Workers workers(1);
     const Lattice cube = Lattice::box(1, 1, 1);
     MovingTetrahedra moving(Sites(cube, uniform_points(cube, 20, 1)));
+    EnergyPass pass(moving, workers);
     Energy energy;
-    ASSERT_TRUE(moving.evaluate(workers, energy));
+    ASSERT_TRUE(pass.evaluate(energy));
     const double before = energy.value;
     for (const double size : {1e-6, 0.1, 1.0}) {
         const Eigen::VectorXf direction = random_direction(20, size, random);
         ASSERT_TRUE(moving.step(direction, 1));
-        ASSERT_TRUE(moving.evaluate(workers, energy));
+        ASSERT_TRUE(pass.evaluate(energy));
         moving.step_back();
-        ASSERT_TRUE(moving.evaluate(workers, energy));
+        ASSERT_TRUE(pass.evaluate(energy));
         EXPECT_NEAR(energy.value, before, 1e-14 * before);
     }
 }
@@ -144,11 +149,12 @@ TEST(MovingTetrahedra, ReportsSitesThatCoincide) {
     const SiteId first = moving.original_id(0) == 0 ? 0 : 1;
     direction.segment<3>(4 * first).setConstant(float(0.25 / moving.unit()));
     Workers workers(1);
+    EnergyPass pass(moving, workers);
     Energy energy;
     ASSERT_TRUE(moving.step(direction, 1));
-    EXPECT_FALSE(moving.evaluate(workers, energy));
+    EXPECT_FALSE(pass.evaluate(energy));
     moving.step_back();
-    EXPECT_TRUE(moving.evaluate(workers, energy));
+    EXPECT_TRUE(pass.evaluate(energy));
 }
 
 }  // namespace

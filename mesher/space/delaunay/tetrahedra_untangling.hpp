@@ -2,7 +2,7 @@
 
 #include <unordered_map>
 
-#include "mesher/space/energy/tetrahedra_flips.hpp"
+#include "mesher/space/delaunay/tetrahedra_flips.hpp"
 
 namespace pcvt::space {
 

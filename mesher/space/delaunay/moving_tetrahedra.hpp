@@ -2,35 +2,49 @@
 
 #include <optional>
 
+#include "mesher/space/delaunay/frame.hpp"
 #include "mesher/space/delaunay/periodic_delaunay.hpp"
-#include "mesher/space/energy/energy.hpp"
+#include "mesher/space/delaunay/tetrahedra_flips.hpp"
 
 namespace pcvt::space {
 
-/// The periodic Delaunay triangulation of moving sites in space, and their energy.
+/// The elements that a pass over all tetrahedra could not certify.
+struct Suspects {
+    /// Tetrahedra that are not certified to be positively oriented.
+    std::vector<int> tetrahedra;
+    /// Facets that are not certified to be locally Delaunay; at least one side of each.
+    std::vector<int> facets;
+
+    bool empty() const { return tetrahedra.empty() && facets.empty(); }
+};
+
+/// The periodic Delaunay triangulation of moving sites in space, maintained by flips.
 ///
 /// The class renumbers the sites along a Hilbert curve, and sorts the tetrahedra by their sites
 /// when flips have scattered them, so that neighbours are close in memory. Coordinates in the
 /// reduced basis are wrapped only when they leave [-1, 2), and remain multiples of 2^-50. All
 /// lengths are in `unit()`, a power of two near h, and in the Frame.
 ///
-/// `step()` moves the sites to a trial position. Then either `settle()` accepts the position, or
-/// `step_back()` returns to the old one.
+/// `step()` moves the sites to a trial position, where the triangulation must be restored. Then
+/// either `settle()` accepts the position, or `step_back()` returns to the old one, where the
+/// triangulation must be restored as well. A pass over all tetrahedra finds the suspects, restores,
+/// and says so by certify(): EnergyPass::evaluate.
 ///
 /// Example usage:
 ///
 ///     MovingTetrahedra moving(sites);
-///     moving.evaluate(workers, energy);
+///     EnergyPass pass(moving, workers);
+///     pass.evaluate(energy);
 ///     const double before = energy.value;
 ///     if (moving.step(direction, t)) {
-///         const bool lower = moving.evaluate(workers, energy) && energy.value < before;
+///         const bool lower = pass.evaluate(energy) && energy.value < before;
 ///         lower ? moving.settle() : moving.step_back();
 ///     }
 ///
 /// Laws, tested by number:
-///   (1) After evaluate(), every tetrahedron is positive and every facet locally Delaunay. Exact;
+///   (1) Once certified, every tetrahedron is positive and every facet locally Delaunay. Exact;
 ///       together the two prove the global periodic Delaunay property.
-///   (2) After evaluate(), the triangulation equals that of a new build, ties included.
+///   (2) Once certified, the triangulation equals that of a new build, ties included.
 class MovingTetrahedra {
    public:
     /// The numbers in a direction for each site: x, y, z, and one that is not used, so that a site
@@ -64,35 +78,32 @@ class MovingTetrahedra {
     void settle() { settled_ = true; }
     bool settled() const { return settled_; }
 
-    /// Evaluates, and certifies the triangulation in the same pass. Where a facet is no longer
-    /// Delaunay, it restores the triangulation by flips; where a tetrahedron is inverted, it
-    /// untangles the triangulation (tetrahedra_untangling.hpp). Then it corrects the energy for the
-    /// tetrahedra that were exchanged. It builds the triangulation from scratch if too many facets
-    /// may not be Delaunay, if flips get stuck, or if too many sites would have to move back.
+    /// The suspects that break law (1): all inverted tetrahedra; without these, all facets that are
+    /// not locally Delaunay, else all facets that may not be.
+    Suspects violations(Suspects suspects) const;
+    /// Restores law (1) by flips where a facet is no longer Delaunay; where a tetrahedron is
+    /// inverted, it untangles the triangulation (tetrahedra_untangling.hpp). Flips test all facets
+    /// of the tetrahedra that they add, untangling also tests the facets around the sites that it
+    /// moves, and the pass has certified all others.
+    /// @param wrong  the violations.
+    /// @returns the tetrahedra that the repair exchanged, or nullopt if the triangulation must be
+    ///          built from scratch: too many facets may not be Delaunay, flips get stuck, or too
+    ///          many sites would have to move back.
+    std::optional<ExchangedTetrahedra> restore(Suspects wrong);
+    /// Builds the triangulation from scratch.
     /// @returns false if two sites coincide: the only valid next call is then step_back.
-    bool evaluate(Workers& workers, Energy& energy);
+    bool rebuild();
+    /// Notes that law (1) holds at the current positions.
+    void certify();
 
     /// Returns the sites and their triangulation in the numbering of the constructor's argument.
     /// The object must not be used afterwards.
     PeriodicDelaunay release();
 
    private:
-    /// The suspects that break law (1): all inverted tetrahedra; without these, all facets that are
-    /// not locally Delaunay, else all facets that may not be.
-    Suspects violations(Suspects suspects) const;
-    /// Local repairs. After one of them, every tetrahedron is positive and every facet is locally
-    /// Delaunay: flips test all facets of the tetrahedra that they add, untangling also tests the
-    /// facets around the sites that it moves, and the pass has certified all others.
-    /// @returns the tetrahedra that the repair exchanged, or nullopt if the triangulation must be
-    ///          built from scratch.
-    std::optional<ExchangedTetrahedra> restore(Suspects wrong);
     std::optional<ExchangedTetrahedra> flip(const std::vector<int>& facets);
     std::optional<ExchangedTetrahedra> untangle(const std::vector<int>& inverted,
                                                 std::vector<int> facets);
-    /// Corrects the energy for exchanged tetrahedra if this costs less than another pass.
-    /// @returns false if another pass must compute it.
-    bool correct_energy(ExchangedTetrahedra exchanged, Energy& energy) const;
-    bool rebuild();
     void keep_sorted();
     void keep_in_range();
     Sites wrapped_sites() const { return {lattice_, reduction_, coordinates_}; }
@@ -111,7 +122,6 @@ class MovingTetrahedra {
     /// columns if unknown.
     Points valid_;
     TorusTetrahedra tetrahedra_;
-    EnergyPass pass_;
     bool settled_ = true;
     int n_rebuilds_ = 0;
     std::int64_t n_flips_ = 0;

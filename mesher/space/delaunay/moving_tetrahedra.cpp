@@ -1,11 +1,10 @@
-#include "mesher/space/energy/moving_tetrahedra.hpp"
+#include "mesher/space/delaunay/moving_tetrahedra.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/base/error.hpp"
-#include "mesher/space/energy/tetrahedra_untangling.hpp"
+#include "mesher/space/delaunay/tetrahedra_untangling.hpp"
 #include "mesher/space/geometry/hilbert_curve.hpp"
 
 namespace pcvt::space {
@@ -19,9 +18,6 @@ constexpr std::size_t kMostHeldAtLeast = 16;
 /// Where more facets than this for each site may not be locally Delaunay, a local repair costs more
 /// than a new build.
 constexpr double kMostSuspectFacets = 1.5;
-
-/// Corrections for more tetrahedra than this share cost more than another pass.
-constexpr double kMostCorrectedShare = 0.1;
 
 /// After flips of this share of the tetrahedra, most of them lie far from their neighbours in
 /// memory.
@@ -38,10 +34,6 @@ Points in_order(const Points& coordinates, const std::vector<SiteId>& order) {
     for (Eigen::Index s = 0; s < coordinates.cols(); ++s)
         ordered.col(s) = coordinates.col(order[s]);
     return ordered;
-}
-
-bool is_empty(const Suspects& suspects) {
-    return suspects.tetrahedra.empty() && suspects.facets.empty();
 }
 
 }  // namespace
@@ -96,26 +88,9 @@ void MovingTetrahedra::keep_in_range() {
     if (!change.empty()) tetrahedra_.add_to_offsets(change);
 }
 
-bool MovingTetrahedra::evaluate(Workers& workers, Energy& energy) {
-    const auto find_violations = [&] {
-        return violations(pass_.run(tetrahedra_, coordinates_, frame_, workers, energy));
-    };
-    Suspects wrong = find_violations();
-    if (!is_empty(wrong)) {
-        std::optional<ExchangedTetrahedra> exchanged = restore(std::move(wrong));
-        const bool certified = exchanged && (correct_energy(std::move(*exchanged), energy) ||
-                                             is_empty(find_violations()));
-        if (!certified) {
-            valid_.resize(3, 0);
-            if (!rebuild()) return false;
-            if (!is_empty(find_violations())) {
-                throw InternalError("a new build in space is not Delaunay");
-            }
-        }
-        keep_sorted();
-    }
+void MovingTetrahedra::certify() {
+    keep_sorted();
     valid_ = coordinates_;
-    return true;
 }
 
 void MovingTetrahedra::keep_sorted() {
@@ -162,13 +137,8 @@ std::optional<ExchangedTetrahedra> MovingTetrahedra::untangle(const std::vector<
     return untangling.take_exchanged();
 }
 
-bool MovingTetrahedra::correct_energy(ExchangedTetrahedra exchanged, Energy& energy) const {
-    const bool pays =
-        double(exchanged.added.size()) < kMostCorrectedShare * tetrahedra_.n_tetrahedra();
-    return pays && correct_for_exchange(std::move(exchanged), coordinates_, frame_, energy);
-}
-
 bool MovingTetrahedra::rebuild() {
+    valid_.resize(3, 0);
     const Sites sites = wrapped_sites();
     if (sites.duplicates().first >= 0) return false;
     // The sites before the step get the same offsets.

@@ -1,4 +1,4 @@
-#include "mesher/space/energy/tetrahedra_untangling.hpp"
+#include "mesher/space/delaunay/tetrahedra_untangling.hpp"
 
 #include <gtest/gtest.h>
 

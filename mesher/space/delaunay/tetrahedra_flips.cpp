@@ -1,4 +1,4 @@
-#include "mesher/space/energy/tetrahedra_flips.hpp"
+#include "mesher/space/delaunay/tetrahedra_flips.hpp"
 
 #include <algorithm>
 #include <array>

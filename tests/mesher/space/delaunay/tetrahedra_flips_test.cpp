@@ -1,4 +1,4 @@
-#include "mesher/space/energy/tetrahedra_flips.hpp"
+#include "mesher/space/delaunay/tetrahedra_flips.hpp"
 
 #include <gtest/gtest.h>
 
@@ -65,14 +65,14 @@ TEST(TetrahedraFlips, SlowAllowToCorrectTheEnergy) {
         const Frame frame(sites.reduction().reduced, sites.spacing());
         Energy corrected;
         const auto suspects =
-            EnergyPass().run(delaunay.tetrahedra, moved, frame, workers, corrected);
+            EnergySums().run(delaunay.tetrahedra, moved, frame, workers, corrected);
         const Gram gram = gram_of(sites.reduction().reduced);
         TetrahedraFlips flips(delaunay.tetrahedra, moved, gram);
         if (!flips.flip(suspects.facets) || flips.n_flips() == 0) continue;
         if (!correct_for_exchange(flips.take_exchanged(), moved, frame, corrected)) continue;
         ++n_corrected;
         Energy expected;
-        EnergyPass().run(delaunay.tetrahedra, moved, frame, workers, expected);
+        EnergySums().run(delaunay.tetrahedra, moved, frame, workers, expected);
         EXPECT_NEAR(corrected.value, expected.value, 1e-13 * expected.value);
         const double cell = frame.volume() / sites.n_sites();
         EXPECT_LT((corrected.volume - expected.volume).cwiseAbs().maxCoeff(), 1e-12 * cell);
