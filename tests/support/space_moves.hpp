@@ -3,7 +3,7 @@
 #include <random>
 #include <string>
 
-#include "mesher/space/delaunay/moving_tetrahedra.hpp"
+#include "mesher/space/energy/energy_pass.hpp"
 
 namespace pcvt::testing {
 

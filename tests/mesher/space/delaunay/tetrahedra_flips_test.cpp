@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "mesher/space/energy/energy.hpp"
 #include "tests/support/space_families.hpp"
 #include "tests/support/space_laws.hpp"
 
