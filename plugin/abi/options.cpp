@@ -24,9 +24,9 @@ static_assert(colouring_row(Colouring::kDensity).abi_value == PCVT_COLOUR_DENSIT
 static_assert(colouring_row(Colouring::kPhase).abi_value == PCVT_COLOUR_PHASE);
 static_assert(colouring_row(Colouring::kOrbit).abi_value == PCVT_COLOUR_ORBIT);
 static_assert(colouring_row(Colouring::kTag).abi_value == PCVT_COLOUR_TAG);
-static_assert(solver_row(plane::Solver::kLbfgs).abi_value == PCVT_SOLVER_LBFGS);
-static_assert(solver_row(plane::Solver::kLloyd).abi_value == PCVT_SOLVER_LLOYD);
-static_assert(solver_row(plane::Solver::kNewton).abi_value == PCVT_SOLVER_NEWTON);
+static_assert(solver_row(Solver::kLbfgs).abi_value == PCVT_SOLVER_LBFGS);
+static_assert(solver_row(Solver::kLloyd).abi_value == PCVT_SOLVER_LLOYD);
+static_assert(solver_row(Solver::kNewton).abi_value == PCVT_SOLVER_NEWTON);
 static_assert(find_word(plane::kPlaneGroups, "p1")->abi_value == PCVT_SYMMETRY_P1);
 static_assert(find_word(plane::kPlaneGroups, "p2")->abi_value == PCVT_SYMMETRY_P2);
 static_assert(find_word(plane::kPlaneGroups, "pm")->abi_value == PCVT_SYMMETRY_PM);
@@ -79,9 +79,9 @@ int budget(const pcvt_options& options) {
     return static_cast<int>(options.budget);
 }
 
-plane::Solver solver(std::int32_t value) {
+Solver solver(std::int32_t value) {
     if (value == PCVT_SOLVER_DEFAULT) return Job().solver;
-    return chosen_row("solver", value, plane::kSolvers).solver;
+    return chosen_row("solver", value, kSolvers).solver;
 }
 
 void read_grains(const pcvt_options& options, Job& job) {

@@ -13,8 +13,8 @@ constexpr const char* kPlaneFile = "is not for files in three dimensions; leave 
 static_assert(find_abi_value(kSpaceStarts, PCVT_START_RANDOM)->start == SpaceStart::kRandom);
 static_assert(find_abi_value(kSpaceStarts, PCVT_START_COARSE)->start == SpaceStart::kCoarse);
 static_assert(find_abi_value(kSpaceStarts, PCVT_START_LATTICE)->start == SpaceStart::kLattice);
-static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LBFGS)->solver == space::Solver::kLbfgs);
-static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LLOYD)->solver == space::Solver::kLloyd);
+static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LBFGS)->solver == Solver::kLbfgs);
+static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LLOYD)->solver == Solver::kLloyd);
 static_assert(find_abi_value(kSpaceMeshes, PCVT_VORONOI)->mesh == SpaceMesh::kVoronoi);
 static_assert(find_abi_value(kSpaceMeshes, PCVT_DELAUNAY)->mesh == SpaceMesh::kDelaunay);
 static_assert(find_abi_value(kSurfaceForms, PCVT_SURFACE_CELLS)->form == SurfaceForm::kCells);

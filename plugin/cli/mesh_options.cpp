@@ -65,7 +65,7 @@ std::string start_help() {
 
 std::string solver_help() {
     std::string text;
-    for (const plane::SolverRow& row : plane::kSolvers) {
+    for (const SolverRow& row : kSolvers) {
         if (*row.help != '\0') text += (text.empty() ? "" : "; ") + std::string(row.help);
     }
     return text + " [" + solver_row(Job().solver).word + "]";
@@ -114,7 +114,7 @@ void add_solver_options(CLI::App& app, MeshOptions& options) {
     add(app, "--start", options.start, form_of(start_rows()), start_help());
     add(app, "--budget", options.budget, "E",
         "evaluations that --start best may spend [the least of 2000 N, 2e5\nand 8e7 / N]");
-    add(app, "--solver", options.solver, form_of(plane::kSolvers), solver_help());
+    add(app, "--solver", options.solver, form_of(kSolvers), solver_help());
     add(app, "--tolerance", options.tolerance, "T",
         "converged once max |x_i - g_i| / h <= T; x_i: site i, g_i: centroid\nof its cell, h = "
         "sqrt(area / n) [1e-6]");
@@ -212,7 +212,7 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
         job.start = chosen_row("--start", options.start, start_rows()).start;
     }
     if (app.count("--solver") > 0) {
-        job.solver = chosen_row("--solver", options.solver, plane::kSolvers).solver;
+        job.solver = chosen_row("--solver", options.solver, kSolvers).solver;
     }
     if (app.count("--outline") > 0) {
         job.outline = chosen_row("--outline", options.outline, kOutlines).outline;

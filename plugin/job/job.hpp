@@ -72,7 +72,7 @@ struct Job {
     /// most so often. For drawn sites and outputs that can refuse.
     int retries = 0;
 
-    plane::Solver solver = plane::Solver::kLbfgs;
+    Solver solver = Solver::kLbfgs;
     double tolerance = 1e-6;
     /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given. With `areas`,
     /// the number of steps that move each site to the centroid of its cell.

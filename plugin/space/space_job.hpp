@@ -34,12 +34,12 @@ inline constexpr std::array kSpaceStarts{SpaceStartRow{SpaceStart::kRandom, "ran
                                          SpaceStartRow{SpaceStart::kCoarse, "coarse", 2},
                                          SpaceStartRow{SpaceStart::kLattice, "lattice", 3}};
 struct SpaceSolverRow {
-    space::Solver solver;
+    Solver solver;
     const char* word;
     int abi_value;
 };
-inline constexpr std::array kSpaceSolvers{SpaceSolverRow{space::Solver::kLbfgs, "lbfgs", 1},
-                                          SpaceSolverRow{space::Solver::kLloyd, "lloyd", 2}};
+inline constexpr std::array kSpaceSolvers{SpaceSolverRow{Solver::kLbfgs, "lbfgs", 1},
+                                          SpaceSolverRow{Solver::kLloyd, "lloyd", 2}};
 
 /// The description of a run in three dimensions.
 ///
@@ -64,7 +64,7 @@ struct SpaceJob {
     /// None: pcvt chooses.
     std::optional<SpaceStart> start = {};
     std::uint64_t seed = 0;
-    space::Solver solver = space::Solver::kLbfgs;
+    Solver solver = Solver::kLbfgs;
     double tolerance = 1e-6;
     /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given.
     int max_iterations = -1;

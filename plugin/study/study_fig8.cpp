@@ -56,7 +56,7 @@ std::vector<StudyRow> run_fig8(int n, int /*run*/, std::uint64_t seed) {
     const plane::ClippedCvt standard =
         compute_clipped_cvt(unit_square(), start, {kStandardTolerance});
     plane::CvtOptions lloyd;
-    lloyd.solver = plane::Solver::kLloyd;
+    lloyd.solver = Solver::kLloyd;
     lloyd.tolerance = 0;
     lloyd.max_iterations = kLloydIterations;
     return {periodic_row("input", start, plain_lbfgs(0, 0)),

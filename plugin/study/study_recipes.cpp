@@ -12,7 +12,7 @@ double f_hex(int n) { return plane::hexagonal_bound(1, n); }
 
 plane::CvtOptions plain_lbfgs(double tolerance, int max_iterations) {
     plane::CvtOptions options;
-    options.solver = plane::Solver::kPlainLbfgs;
+    options.solver = Solver::kPlainLbfgs;
     options.tolerance = tolerance;
     options.max_iterations = max_iterations;
     return options;

@@ -77,7 +77,7 @@ struct Place {
     plane::MovingDelaunay delaunay;
     plane::DensityPass pass;
     plane::EnergyPass uniform_pass;
-    plane::Energy energy;
+    Energy energy;
 };
 
 /// Points close to each other, like the points of a cell.

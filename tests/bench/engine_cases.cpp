@@ -17,7 +17,7 @@ namespace {
 /// Runs until the RMS residual is at most `rms`.
 plane::CvtResult run_to_rms(const Input& input, double rms, const ProgressCallback& look = {}) {
     plane::CvtOptions options;
-    options.solver = plane::Solver::kPlainLbfgs;
+    options.solver = Solver::kPlainLbfgs;
     options.tolerance = 0;
     options.progress = [&](const Progress& progress) {
         if (look) look(progress);
@@ -46,7 +46,7 @@ void evaluate_repeatedly(benchmark::State& state, const Input& input, int n_thre
     Workers workers(n_threads);
     plane::MovingDelaunay delaunay(start.delaunay.sites());
     plane::EnergyPass pass(delaunay, workers);
-    plane::Energy energy;
+    Energy energy;
     Eigen::VectorXf step = Eigen::VectorXf::Random(2 * Eigen::Index{input.n});
     double way = kConverging * delaunay.spacing();
     for ([[maybe_unused]] auto _ : state) {

@@ -68,14 +68,14 @@ void add_space_evaluation(int n) {
         Workers workers(1);
         space::MovingTetrahedra moving(start.delaunay.sites);
         space::EnergyPass pass(moving, workers);
-        space::Energy energy;
+        Energy energy;
         const Eigen::VectorXf step =
             Eigen::VectorXf::Random(space::MovingTetrahedra::kNumbersPerSite * Eigen::Index{n});
         double way = kConverging * moving.spacing();
         for ([[maybe_unused]] auto _ : state) {
             state.PauseTiming();
             way = -way;
-            moving.step(step, way);
+            moving.step(step, way, workers);
             state.ResumeTiming();
             if (!pass.evaluate(energy)) state.SkipWithError("sites coincide");
             moving.settle();

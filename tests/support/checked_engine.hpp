@@ -29,7 +29,7 @@ class CheckedEngine {
     explicit CheckedEngine(const plane::Sites& sites);
 
     const plane::MovingDelaunay& delaunay() const { return delaunay_; }
-    const plane::Energy& energy() const { return energy_; }
+    const Energy& energy() const { return energy_; }
     const EngineTally& tally() const { return tally_; }
     /// A description of the first difference from the references; it does not change afterwards.
     const std::string& fault() const { return fault_; }
@@ -54,7 +54,7 @@ class CheckedEngine {
     Workers workers_{1};
     plane::MovingDelaunay delaunay_;
     plane::EnergyPass pass_;
-    plane::Energy energy_;
+    Energy energy_;
     /// The positions where the sites settled last, and their move from there.
     plane::Points home_;
     Eigen::VectorXf direction_;

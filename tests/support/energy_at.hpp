@@ -13,7 +13,7 @@ struct PlaneEnergy {
 };
 
 /// Converts the result of a pass to the lattice and the order of the caller's sites.
-inline PlaneEnergy in_plane(const plane::Energy& energy, const plane::MovingDelaunay& delaunay,
+inline PlaneEnergy in_plane(const Energy& energy, const plane::MovingDelaunay& delaunay,
                             const plane::Lattice& lattice) {
     const int n = delaunay.n_sites();
     const double unit = delaunay.unit();
@@ -33,7 +33,7 @@ inline PlaneEnergy in_plane(const plane::Energy& energy, const plane::MovingDela
 inline PlaneEnergy energy_at(const plane::Sites& sites, int n_threads = 1) {
     plane::MovingDelaunay delaunay(sites);
     Workers workers(n_threads);
-    plane::Energy energy;
+    Energy energy;
     plane::EnergyPass(delaunay, workers).evaluate(energy);
     return in_plane(energy, delaunay, sites.lattice());
 }

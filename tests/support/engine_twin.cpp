@@ -91,7 +91,7 @@ struct OrderedEnergy {
     Eigen::VectorXd mass;
 };
 
-OrderedEnergy in_callers_order(const plane::MovingDelaunay& delaunay, const plane::Energy& energy) {
+OrderedEnergy in_callers_order(const plane::MovingDelaunay& delaunay, const Energy& energy) {
     const int n = delaunay.n_sites();
     OrderedEnergy ordered{energy.value, plane::Points(2, n), Eigen::VectorXd(n)};
     for (SiteId s = 0; s < n; ++s) {
@@ -168,11 +168,11 @@ std::string difference_from_mirrors(const plane::MovingDelaunay& delaunay,
         firm_edges(mirrors, sites.coordinates(), gram, [](SiteId s) { return s; }));
 }
 
-std::string difference_from_new_build(const plane::MovingDelaunay& delaunay,
-                                      const plane::Energy& energy, const plane::Sites& sites) {
+std::string difference_from_new_build(const plane::MovingDelaunay& delaunay, const Energy& energy,
+                                      const plane::Sites& sites) {
     plane::MovingDelaunay rebuilt(sites);
     Workers alone(1);
-    plane::Energy rebuilt_energy;
+    Energy rebuilt_energy;
     if (!plane::EnergyPass(rebuilt, alone).evaluate(rebuilt_energy)) return "a new build failed";
     if (rebuilt.counts().n_flips + rebuilt.counts().n_rebuilds > 0)
         return "a new build was repaired";
@@ -182,8 +182,8 @@ std::string difference_from_new_build(const plane::MovingDelaunay& delaunay,
     return difference_words.empty() ? "" : difference_words + " from a new build";
 }
 
-std::string difference_from_pieces(const plane::MovingDelaunay& delaunay,
-                                   const plane::Energy& energy, const plane::Sites& sites) {
+std::string difference_from_pieces(const plane::MovingDelaunay& delaunay, const Energy& energy,
+                                   const plane::Sites& sites) {
     const int n = sites.n_sites();
     OrderedEnergy sum{0, plane::Points::Zero(2, n), Eigen::VectorXd::Zero(n)};
     for (const plane::Piece& piece : mirror_diagram(sites, plane::WithPieces::kYes).pieces) {

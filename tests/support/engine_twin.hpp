@@ -26,11 +26,11 @@ std::string difference_from_mirrors(const plane::MovingDelaunay& delaunay,
 /// Compares with a new build: F to 1e-12 of F, gradient and masses to 1e-12 of their maxima. Where
 /// the gradient is small everywhere, the tolerance refers to its size if sites were as far from
 /// their centroids as the points of the domain are from their sites.
-std::string difference_from_new_build(const plane::MovingDelaunay& delaunay,
-                                      const plane::Energy& energy, const plane::Sites& sites);
+std::string difference_from_new_build(const plane::MovingDelaunay& delaunay, const Energy& energy,
+                                      const plane::Sites& sites);
 
 /// Compares with integrals over the polygons of the mirror diagram's pieces; for few sites.
-std::string difference_from_pieces(const plane::MovingDelaunay& delaunay,
-                                   const plane::Energy& energy, const plane::Sites& sites);
+std::string difference_from_pieces(const plane::MovingDelaunay& delaunay, const Energy& energy,
+                                   const plane::Sites& sites);
 
 }  // namespace pcvt::testing

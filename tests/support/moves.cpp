@@ -75,7 +75,7 @@ Eigen::VectorXf period_jumps(const plane::MovingDelaunay& delaunay, std::mt19937
     });
 }
 
-Eigen::VectorXf lloyd_move(const plane::MovingDelaunay& delaunay, const plane::Energy& energy) {
+Eigen::VectorXf lloyd_move(const plane::MovingDelaunay& delaunay, const Energy& energy) {
     Eigen::VectorXf move(2 * delaunay.n_sites());
     for (SiteId s = 0; s < delaunay.n_sites(); ++s) {
         move.segment<2>(2 * s) =
@@ -122,7 +122,7 @@ Eigen::VectorXf exchange(const plane::MovingDelaunay& delaunay, SiteId site, Sit
     return meet(delaunay, site, other) + meet(delaunay, other, site);
 }
 
-NamedMove any_move(const plane::MovingDelaunay& delaunay, const plane::Energy& energy,
+NamedMove any_move(const plane::MovingDelaunay& delaunay, const Energy& energy,
                    std::mt19937_64& random, int kind) {
     // Drawn in separate statements, since the compiler chooses the order in which arguments are
     // evaluated.

@@ -18,7 +18,7 @@ Eigen::VectorXf drift(const plane::MovingDelaunay& delaunay, const plane::Vec2& 
 /// Moves each site by a whole number of periods.
 Eigen::VectorXf period_jumps(const plane::MovingDelaunay& delaunay, std::mt19937_64& random);
 /// Moves each site to its cell's centroid.
-Eigen::VectorXf lloyd_move(const plane::MovingDelaunay& delaunay, const plane::Energy& energy);
+Eigen::VectorXf lloyd_move(const plane::MovingDelaunay& delaunay, const Energy& energy);
 
 /// The fraction of sites that a move concerns, and the generator that selects them.
 struct Some {
@@ -48,7 +48,7 @@ struct NamedMove {
 };
 inline constexpr int kLocalMoveKinds = 9;
 inline constexpr int kMoveKinds = 17;
-NamedMove any_move(const plane::MovingDelaunay& delaunay, const plane::Energy& energy,
+NamedMove any_move(const plane::MovingDelaunay& delaunay, const Energy& energy,
                    std::mt19937_64& random, int kind);
 
 }  // namespace pcvt::testing

@@ -52,15 +52,16 @@ void approach(Direction& direction, const space::MovingTetrahedra& moving, Rando
     direction.set_coordinates(second, -times / 2 * nearest);
 }
 
-void lloyd(Direction& direction, const space::Energy& energy) {
+void lloyd(Direction& direction, const Energy& energy) {
     for (SiteId s = 0; s < direction.size(); ++s) {
-        direction.set(s, energy.gradient.segment<3>(3 * s) / (-2 * energy.volume[s]));
+        direction.set(s, energy.gradient.segment<3>(space::MovingTetrahedra::kNumbersPerSite * s) /
+                             (-2 * energy.mass[s]));
     }
 }
 
 }  // namespace
 
-NamedSpaceMove random_space_move(const space::MovingTetrahedra& moving, const space::Energy& energy,
+NamedSpaceMove random_space_move(const space::MovingTetrahedra& moving, const Energy& energy,
                                  Random& random) {
     Direction direction(moving);
     const auto for_each = [&](const auto& move) {

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "mesher/base/error.hpp"
+#include "mesher/cvt/residuals.hpp"
 #include "mesher/optimize/lbfgs.hpp"
 #include "mesher/plane/energy/energy.hpp"
-#include "mesher/plane/energy/residuals.hpp"
 #include "mesher/plane/power/power_flips.hpp"
 #include "mesher/plane/symmetry/symmetric_objective.hpp"
 

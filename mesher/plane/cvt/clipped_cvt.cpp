@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "mesher/base/error.hpp"
+#include "mesher/cvt/residuals.hpp"
 #include "mesher/optimize/lbfgs.hpp"
-#include "mesher/plane/energy/residuals.hpp"
 
 namespace pcvt::plane {
 namespace {

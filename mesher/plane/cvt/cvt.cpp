@@ -6,109 +6,64 @@
 #include <string>
 
 #include "mesher/base/error.hpp"
+#include "mesher/cvt/cvt_objective.hpp"
 #include "mesher/plane/delaunay/periodic_delaunay.hpp"
 #include "mesher/plane/energy/energy.hpp"
 #include "mesher/plane/energy/hessian.hpp"
 #include "mesher/plane/energy/long_waves.hpp"
-#include "mesher/plane/energy/residuals.hpp"
 #include "mesher/plane/symmetry/folded_density.hpp"
 #include "mesher/plane/symmetry/symmetric_objective.hpp"
 
 namespace pcvt::plane {
 namespace {
 
-/// The longest move of a site in one step, in units of h. Beyond it a site leaves its
-/// neighbourhood, where the optimiser's quadratic model holds.
-constexpr double kLargestMove = 0.5;
 constexpr int kSitesPerTask = 1 << 14;
 
-/// The energy as a function of moving sites. It works in the frame and the length unit of the
-/// triangulation, so the optimiser's products and thresholds do not depend on the user's unit.
-class CvtObjective final : public Objective {
+/// The energy for rho = 1, with its Hessian and a preconditioner of long waves.
+class UniformObjective final : public CvtObjective<EnergyPass> {
    public:
-    CvtObjective(MovingDelaunay& delaunay, Workers& workers, const SiteConstraints& constraints)
-        : delaunay_(delaunay),
-          workers_(workers),
-          constraints_(constraints),
-          pass_(delaunay, workers) {}
-
-    Eigen::Index n_variables() const override { return 2 * Eigen::Index{delaunay_.n_sites()}; }
+    using CvtObjective::CvtObjective;
 
     bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) override {
-        energy_.gradient.swap(evaluation.gradient);
-        const bool defined = undo_step() && try_step(direction, t);
-        energy_.gradient.swap(evaluation.gradient);
-        if (!defined) return false;
-        constraints_.fixed.clear(evaluation.gradient);
-        const auto [largest, rms] =
-            residuals(evaluation.gradient, energy_.mass, delaunay_.spacing(), workers_);
-        evaluation.value = energy_.value;
-        evaluation.residual = largest;
-        evaluation.rms_residual = constraints_.fixed.rms_factor() * rms;
+        if (!CvtObjective::evaluate(direction, t, evaluation)) return false;
         if (long_waves_) apply_long_waves(evaluation);
         return true;
     }
 
     bool precondition(Evaluation& evaluation) override {
-        if (delaunay_.n_sites() < kFewestForLongWaves) return false;
-        long_waves_ = std::make_unique<LongWaves>(delaunay_, workers_);
+        if (moving().n_sites() < kFewestForLongWaves) return false;
+        long_waves_ = std::make_unique<LongWaves>(moving(), workers());
         apply_long_waves(evaluation);
         return true;
     }
 
-    void accept() override { delaunay_.settle(); }
-    void reject() override { undo_step(); }
-
-    void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override {
-        steps_to_centroids(evaluation.gradient, energy_.mass, direction);
-    }
-
     bool has_hessian() const override { return true; }
     void hessian(BlockMatrix& hessian) const override {
-        assemble_hessian(delaunay_, workers_, hessian);
-        constraints_.fixed.restrict_hessian(hessian);
+        assemble_hessian(moving(), workers(), hessian);
+        constraints().fixed.restrict_hessian(hessian);
     }
 
    private:
     void apply_long_waves(Evaluation& evaluation) {
         long_waves_->apply(evaluation.gradient, evaluation.preconditioned);
-        constraints_.fixed.clear(evaluation.preconditioned);
+        constraints().fixed.clear(evaluation.preconditioned);
     }
 
-    /// Restores the triangulation after a trial that was not accepted.
-    bool undo_step() {
-        if (delaunay_.settled()) return true;
-        delaunay_.step_back();
-        return pass_.evaluate(energy_);
-    }
-
-    bool try_step(const Eigen::VectorXf& direction, double t) {
-        if (t != 0) {
-            if (!delaunay_.step(direction, t, workers_)) return false;
-            if (!constraints_.admit(delaunay_)) return false;
-        }
-        return pass_.evaluate(energy_);
-    }
-
-    MovingDelaunay& delaunay_;
-    Workers& workers_;
-    const SiteConstraints& constraints_;
-    EnergyPass pass_;
-    Energy energy_;
     std::unique_ptr<LongWaves> long_waves_;
 };
 
 OptimizerOptions optimizer_options(const MovingDelaunay& delaunay, const CvtOptions& options) {
     return {.tolerance = options.tolerance,
             .max_iterations = options.max_iterations,
-            .max_move = kLargestMove * delaunay.spacing(),
+            .max_move = longest_move(delaunay),
             .progress = options.progress,
             .precondition_below =
                 solver_row(options.solver).preconditions ? options.precondition_below : 0};
 }
 
-SiteConstraints constraints_of(const MovingDelaunay& delaunay, const CvtOptions& options) {
-    SiteConstraints constraints{{}, options.guard};
+SiteConstraints<MovingDelaunay> constraints_of(const MovingDelaunay& delaunay,
+                                               const CvtOptions& options) {
+    SiteConstraints<MovingDelaunay> constraints{{}, options.guard};
     if (options.fixed.empty()) return constraints;
     if (options.numbering != Numbering::kAsGiven) {
         throw InvalidInput("fixed sites need the numbering of the input");
@@ -124,7 +79,7 @@ SiteConstraints constraints_of(const MovingDelaunay& delaunay, const CvtOptions&
     }
     std::vector<bool> ordered(n, false);
     for (SiteId s = 0; s < delaunay.n_sites(); ++s) ordered[s] = is_fixed[delaunay.original_id(s)];
-    constraints.fixed = FixedPairs(std::move(ordered));
+    constraints.fixed = FixedBlocks(std::move(ordered));
     return constraints;
 }
 
@@ -148,21 +103,12 @@ RunStatistics minimize(MovingDelaunay& delaunay, const CvtOptions& options,
     const int n_tasks = delaunay.n_sites() / kSitesPerTask + 1;
     Workers workers(std::min(options.n_threads, n_tasks));
     const SiteConstraints constraints = constraints_of(delaunay, options);
-    CvtObjective all(delaunay, workers, constraints);
+    UniformObjective all(delaunay, workers, constraints);
     std::optional<SymmetricObjective> symmetric;
     if (orbits != nullptr) symmetric.emplace(all, *orbits);
     Objective& objective = symmetric ? static_cast<Objective&>(*symmetric) : all;
-    const double value_unit = std::pow(delaunay.unit(), 4);
-    OptimizerOptions optimizer = optimizer_options(delaunay, options);
-    if (options.progress) {
-        optimizer.progress = [&](Progress progress) {
-            progress.value *= value_unit;
-            return options.progress(progress);
-        };
-    }
-    RunStatistics run = solver_row(options.solver).minimize(objective, optimizer, workers).run;
-    run.energy *= value_unit;
-    return run;
+    return minimize_energy(delaunay, objective, solver_row(options.solver).minimize,
+                           optimizer_options(delaunay, options), workers);
 }
 
 /// Triangulates the sites and frees the points, which are not needed afterwards.

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "mesher/cvt/solvers.hpp"
 #include "mesher/plane/cvt/density_cvt.hpp"
-#include "mesher/plane/cvt/solvers.hpp"
 #include "mesher/plane/delaunay/moving_delaunay.hpp"
 #include "mesher/plane/delaunay/periodic_delaunay.hpp"
 #include "mesher/plane/symmetry/symmetric_sites.hpp"
@@ -28,7 +28,7 @@ struct CvtOptions {
     /// those of the others. In any order; repetitions count once.
     std::vector<SiteId> fixed = {};
     /// nullptr: all positions are admitted. Must outlive the run.
-    SiteGuard* guard = nullptr;
+    SiteGuard<MovingDelaunay>* guard = nullptr;
     ProgressCallback progress;
 };
 

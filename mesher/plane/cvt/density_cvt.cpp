@@ -6,11 +6,11 @@
 #include <memory>
 #include <optional>
 
+#include "mesher/cvt/residuals.hpp"
 #include "mesher/plane/density/density_survey.hpp"
 #include "mesher/plane/energy/density_energy.hpp"
 #include "mesher/plane/energy/gersho_scaling.hpp"
 #include "mesher/plane/energy/long_waves.hpp"
-#include "mesher/plane/energy/residuals.hpp"
 
 namespace pcvt::plane {
 namespace {
@@ -55,7 +55,7 @@ class DensityObjective final : public Objective {
    public:
     DensityObjective(MovingDelaunay& delaunay, Workers& workers, const Lattice& lattice,
                      const Density& density, double density_unit, bool has_hessian,
-                     const SiteConstraints& constraints)
+                     const SiteConstraints<MovingDelaunay>& constraints)
         : delaunay_(delaunay),
           workers_(workers),
           constraints_(constraints),
@@ -92,7 +92,7 @@ class DensityObjective final : public Objective {
 
     MovingDelaunay& delaunay_;
     Workers& workers_;
-    const SiteConstraints& constraints_;
+    const SiteConstraints<MovingDelaunay>& constraints_;
     mutable DensityPass pass_;
     bool has_hessian_;
     Energy energy_;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mesher/plane/cvt/site_constraints.hpp"
-#include "mesher/plane/cvt/solvers.hpp"
+#include "mesher/cvt/site_constraints.hpp"
+#include "mesher/cvt/solvers.hpp"
 #include "mesher/plane/delaunay/moving_delaunay.hpp"
 #include "mesher/plane/density/density.hpp"
 #include "mesher/plane/symmetry/symmetric_objective.hpp"
@@ -38,7 +38,7 @@ struct DensityCvtOptions {
     OptimizerOptions optimizer;
     /// nullptr: none. Of tie_orbits(), for a density with the symmetry of the orbits.
     const OrbitEmbedding* orbits = nullptr;
-    SiteConstraints constraints = {};
+    SiteConstraints<MovingDelaunay> constraints = {};
 };
 
 struct DensityCvtResult {

@@ -34,7 +34,7 @@ std::function<double(const Vec2&)> spacing_of(const Lattice& lattice, int n,
 }
 
 /// Refuses positions with a free site inside of a circle, and counts the refusals of each site.
-class CircleGuard final : public SiteGuard {
+class CircleGuard final : public SiteGuard<MovingDelaunay> {
    public:
     CircleGuard(const EmptyCircles& circles, const std::vector<bool>& is_fixed)
         : circles_(circles), is_fixed_(is_fixed), n_refusals_(is_fixed.size(), 0) {}

@@ -71,6 +71,12 @@ struct FlipLog {
 ///   (2) Once restored, the triangulation equals that of a new build, except for ties.
 class MovingDelaunay {
    public:
+    static constexpr int kDimension = 2;
+    /// The numbers in a direction for each site: x, y.
+    static constexpr int kNumbersPerSite = 2;
+    /// Whether a step may begin where the triangulation is not restored.
+    static constexpr bool kStepsUnrestored = false;
+
     /// Builds from strips, or where these fail from mirrors. Cost: about half of a plain Euclidean
     /// Delaunay triangulation of the sites.
     /// @param numbering  of original_id() and release(). All other functions number by columns.

@@ -1,19 +1,9 @@
 #pragma once
 
+#include "mesher/cvt/energy.hpp"
 #include "mesher/plane/delaunay/moving_delaunay.hpp"
 
 namespace pcvt::plane {
-
-/// F, its gradient and the masses at given positions of the sites, for rho = 1; in the frame and
-/// the unit of a MovingDelaunay, sites in its order.
-struct Energy {
-    /// F of Eq. 3, unit^4.
-    double value = 0;
-    /// dF/dx_i (x, y, x, y, ...), unit^3.
-    Eigen::VectorXd gradient;
-    /// Areas of the cells, unit^2.
-    Eigen::VectorXd mass;
-};
 
 /// The periodic CVT energy and its gradient (paper, Eqs. 2 and 3) for rho = 1.
 ///
@@ -49,6 +39,8 @@ struct Energy {
 ///   (5) Every bit is the same for any number of workers.
 class EnergyPass final : private FlipObserver {
    public:
+    using Moving = MovingDelaunay;
+
     /// Both arguments must outlive this object.
     EnergyPass(MovingDelaunay& delaunay, Workers& workers);
     ~EnergyPass();

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "mesher/optimize/objective.hpp"
+#include "mesher/cvt/solvers.hpp"
 #include "mesher/space/delaunay/periodic_delaunay.hpp"
 
 namespace pcvt::space {
 
-enum class Solver { kLbfgs, kLloyd };
-
 struct CvtOptions {
+    /// There is no Hessian, so that Newton's method has no part in a run.
     Solver solver = Solver::kLbfgs;
     /// The run has converged once every |x_i - g_i| / h is at most this, h the cube root of
     /// volume / n.

@@ -1,9 +1,9 @@
 #include "mesher/space/delaunay/moving_tetrahedra.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
-#include "mesher/base/checkpoint.hpp"
 #include "mesher/space/delaunay/tetrahedra_untangling.hpp"
 #include "mesher/space/geometry/hilbert_curve.hpp"
 
@@ -22,6 +22,10 @@ constexpr double kMostSuspectFacets = 1.5;
 /// After flips of this share of the tetrahedra, most of them lie far from their neighbours in
 /// memory.
 constexpr double kFlipsUntilSorting = 0.1;
+
+/// The longest move of one step, periods.
+constexpr double kFarthest = 2;
+constexpr int kSitesPerTask = 1 << 14;
 
 double unit_near(double length) {
     int exponent = 0;
@@ -49,17 +53,18 @@ MovingTetrahedra::MovingTetrahedra(const Sites& sites)
       coordinates_(in_order(sites.coordinates(), order_)),
       tetrahedra_(torus_tetrahedra(wrapped_sites())) {}
 
-bool MovingTetrahedra::step(const Eigen::VectorXf& direction, double t) {
-    constexpr double kFarthest = 2;
+bool MovingTetrahedra::step(const Eigen::VectorXf& direction, double t, Workers& workers) {
     before_.resize(3, n_sites());
-    bool valid = true;
-    for (SiteId s = 0; s < n_sites(); ++s) {
-        checkpoint_each(s);
-        const auto d = direction.segment<3>(kNumbersPerSite * Eigen::Index{s}).cast<double>();
-        const Vec3 move = frame_.to_lattice(t * d);
-        valid = valid && move.cwiseAbs().maxCoeff() <= kFarthest;
-        before_.col(s) = coordinates_.col(s) + snapped_displacement(move);
-    }
+    std::atomic<bool> valid = true;
+    workers.for_each(n_sites() / kSitesPerTask + 1, [&](int task) {
+        const SiteId end = std::min(n_sites(), (task + 1) * kSitesPerTask);
+        for (SiteId s = task * kSitesPerTask; s < end; ++s) {
+            const auto d = direction.segment<3>(kNumbersPerSite * Eigen::Index{s}).cast<double>();
+            const Vec3 move = frame_.to_lattice(t * d);
+            if (!(move.cwiseAbs().maxCoeff() <= kFarthest)) valid = false;
+            before_.col(s) = coordinates_.col(s) + snapped_displacement(move);
+        }
+    });
     if (!valid) return false;
     before_.swap(coordinates_);
     settled_ = false;

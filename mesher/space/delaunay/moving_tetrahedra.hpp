@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "mesher/base/workers.hpp"
 #include "mesher/space/delaunay/frame.hpp"
 #include "mesher/space/delaunay/periodic_delaunay.hpp"
 #include "mesher/space/delaunay/tetrahedra_flips.hpp"
@@ -27,8 +28,8 @@ struct Suspects {
 ///
 /// `step()` moves the sites to a trial position, where the triangulation must be restored. Then
 /// either `settle()` accepts the position, or `step_back()` returns to the old one, where the
-/// triangulation must be restored as well. A pass over all tetrahedra finds the suspects, restores,
-/// and says so by certify(): EnergyPass::evaluate.
+/// triangulation must be restored as well before it is used. A pass over all tetrahedra finds the
+/// suspects, restores, and says so by certify(): EnergyPass::evaluate.
 ///
 /// Example usage:
 ///
@@ -36,7 +37,7 @@ struct Suspects {
 ///     EnergyPass pass(moving, workers);
 ///     pass.evaluate(energy);
 ///     const double before = energy.value;
-///     if (moving.step(direction, t)) {
+///     if (moving.step(direction, t, workers)) {
 ///         const bool lower = pass.evaluate(energy) && energy.value < before;
 ///         lower ? moving.settle() : moving.step_back();
 ///     }
@@ -47,9 +48,12 @@ struct Suspects {
 ///   (2) Once certified, the triangulation equals that of a new build, ties included.
 class MovingTetrahedra {
    public:
-    /// The numbers in a direction for each site: x, y, z, and one that is not used, so that a site
-    /// is two whole pairs of variables (objective.hpp).
+    static constexpr int kDimension = 3;
+    /// The numbers in a direction for each site: x, y, z, and a zero, so that a site is two whole
+    /// pairs of variables (objective.hpp).
     static constexpr int kNumbersPerSite = 4;
+    /// Whether a step may begin where the triangulation is not restored.
+    static constexpr bool kStepsUnrestored = true;
 
     explicit MovingTetrahedra(const Sites& sites);
 
@@ -71,7 +75,7 @@ class MovingTetrahedra {
 
     /// Moves the sites by t times `direction`, kNumbersPerSite numbers a site (frame, units).
     /// @returns false if a move is not finite or longer than two periods; no site has moved then.
-    bool step(const Eigen::VectorXf& direction, double t);
+    bool step(const Eigen::VectorXf& direction, double t, Workers& workers);
     /// Moves the sites back to their positions before the last step.
     void step_back();
     /// Accepts the current positions.

@@ -22,6 +22,7 @@ constexpr double kLargest = 16;
 constexpr float kSumError = 0x1p-22F;
 /// The number of suspects by which the prefetch of their heights is ahead.
 constexpr std::size_t kSuspectsFetched = 8;
+constexpr Eigen::Index kNumbers = MovingTetrahedra::kNumbersPerSite;
 /// The blocks of sites that one task adds up.
 constexpr int kBlocksPerTask = 64;
 
@@ -171,9 +172,9 @@ void add(const TetrahedronBlock& block, int k, const Tetrahedron& corners, doubl
     for (int c = 0; c < 4; ++c) {
         const SiteId site = corners[c].site;
         for (int axis = 0; axis < 3; ++axis) {
-            energy.gradient[3 * Eigen::Index{site} + axis] += sign * block.terms[c][axis][k];
+            energy.gradient[kNumbers * site + axis] += sign * block.terms[c][axis][k];
         }
-        energy.volume[site] += sign * block.terms[c][3][k];
+        energy.mass[site] += sign * block.terms[c][3][k];
     }
 }
 
@@ -320,8 +321,8 @@ Suspects EnergySums::run(const TorusTetrahedra& tetrahedra, const Points& coordi
 void EnergySums::add_up(int n_sites, Workers& workers, Energy& energy) const {
     energy.value = 0;
     for (const Slab& slab : slabs_) energy.value += slab.value;
-    energy.gradient.resize(3 * Eigen::Index{n_sites});
-    energy.volume.resize(n_sites);
+    energy.gradient.resize(kNumbers * n_sites);
+    energy.mass.resize(n_sites);
     const auto n_blocks = static_cast<int>(SlabSums::n_blocks(n_sites));
     workers.for_each((n_blocks + kBlocksPerTask - 1) / kBlocksPerTask, [&](int task) {
         const int end = std::min((task + 1) * kBlocksPerTask, n_blocks);
@@ -330,8 +331,9 @@ void EnergySums::add_up(int n_sites, Workers& workers, Energy& energy) const {
             for (const Slab& slab : slabs_) slab.sums.add_block_to(b, sums);
             const Eigen::Index first = b * SlabSums::kBlock;
             const Eigen::Index n = std::min<Eigen::Index>(SlabSums::kBlock, n_sites - first);
-            energy.gradient.segment(3 * first, 3 * n) = sums.topLeftCorner(3, n).reshaped();
-            energy.volume.segment(first, n) = sums.row(3).head(n).transpose();
+            energy.mass.segment(first, n) = sums.row(3).head(n).transpose();
+            sums.row(3).setZero();
+            energy.gradient.segment(kNumbers * first, kNumbers * n) = sums.leftCols(n).reshaped();
         }
     });
 }

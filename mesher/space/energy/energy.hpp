@@ -1,23 +1,11 @@
 #pragma once
 
-#include <Eigen/Core>
-
 #include "mesher/base/workers.hpp"
+#include "mesher/cvt/energy.hpp"
 #include "mesher/space/delaunay/moving_tetrahedra.hpp"
 #include "mesher/space/energy/tetrahedron_terms.hpp"
 
 namespace pcvt::space {
-
-/// F, its gradient and the volumes of the cells at given positions of the sites; in a Frame
-/// and its unit.
-struct Energy {
-    /// F, unit^5.
-    double value = 0;
-    /// dF/dx_i (x, y, z, x, y, z, ...), unit^4.
-    Eigen::VectorXd gradient;
-    /// Volumes of the cells, unit^3.
-    Eigen::VectorXd volume;
-};
 
 /// The CVT energy in space and its gradient.
 ///
@@ -47,7 +35,7 @@ struct Energy {
 /// Laws, tested by number:
 ///   (1) F is unchanged when any site moves by a lattice translation.
 ///   (2) The gradient sums to zero over the sites.
-///   (3) The volumes sum to the volume of the domain.
+///   (3) The masses, which are volumes, sum to the volume of the domain.
 ///   (4) F / n is at least that of a ball of the volume V / n.
 ///   (5) Every bit is the same for any number of workers.
 class EnergySums {

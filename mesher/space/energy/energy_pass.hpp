@@ -13,6 +13,8 @@ namespace pcvt::space {
 ///     if (!pass.evaluate(energy)) throw InvalidInput("two sites coincide");
 class EnergyPass {
    public:
+    using Moving = MovingTetrahedra;
+
     /// Both arguments must outlive this object.
     EnergyPass(MovingTetrahedra& moving, Workers& workers) : moving_(moving), workers_(workers) {}
 

@@ -149,7 +149,7 @@ TEST(FixedSites, AreRefusedIfTheyAreNoSites) {
 }
 
 /// Admits sites 0 and 1 on their own sides of v = 1/2 alone.
-class HalfPlanes final : public SiteGuard {
+class HalfPlanes final : public SiteGuard<MovingDelaunay> {
    public:
     bool admits(const MovingDelaunay& delaunay) override {
         for (SiteId s = 0; s < delaunay.n_sites(); ++s) {

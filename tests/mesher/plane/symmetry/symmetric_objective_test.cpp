@@ -4,9 +4,9 @@
 
 #include <random>
 
+#include "mesher/cvt/residuals.hpp"
 #include "mesher/plane/energy/energy.hpp"
 #include "mesher/plane/energy/hessian.hpp"
-#include "mesher/plane/energy/residuals.hpp"
 #include "tests/support/dense.hpp"
 #include "tests/support/energy_at.hpp"
 #include "tests/support/symmetry.hpp"

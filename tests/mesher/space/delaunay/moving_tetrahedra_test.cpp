@@ -27,7 +27,7 @@ void expect_new_build(const MovingTetrahedra& moving, const Lattice& lattice,
     EnergySums().run(fresh.tetrahedra, sites.coordinates(), moving.frame(), workers, expected);
     EXPECT_NEAR(energy.value, expected.value, 1e-12 * expected.value);
     EXPECT_LT((energy.gradient - expected.gradient).norm(), 1e-12 * expected.gradient.norm());
-    EXPECT_LT((energy.volume - expected.volume).norm(), 1e-12 * expected.volume.norm());
+    EXPECT_LT((energy.mass - expected.mass).norm(), 1e-12 * expected.mass.norm());
 }
 
 /// Laws 1 and 2 after jumps of all sizes, some of which are taken back.
@@ -44,7 +44,7 @@ TEST(MovingTetrahedra, EqualsANewBuildAfterJumps) {
         for (int jump = 0; jump < 6; ++jump) {
             const double size = moving.frame().ax * std::pow(10.0, -double(random() % 5));
             const Eigen::VectorXf direction = random_direction(n, size, random);
-            ASSERT_TRUE(moving.step(direction, 0.5));
+            ASSERT_TRUE(moving.step(direction, 0.5, workers));
             if (jump % 3 == 2) moving.step_back();
             ASSERT_TRUE(pass.evaluate(energy));
             moving.settle();
@@ -74,7 +74,7 @@ TEST(MovingTetrahedra, KeepNeighboursCloseInMemory) {
     std::mt19937_64 random(3);
     const double size = 0.03 * moving.spacing();
     for (int k = 0; k < 60; ++k) {
-        ASSERT_TRUE(moving.step(random_direction(n, size, random), 1));
+        ASSERT_TRUE(moving.step(random_direction(n, size, random), 1, workers));
         ASSERT_TRUE(pass.evaluate(energy));
         moving.settle();
     }
@@ -97,9 +97,11 @@ TEST(MovingTetrahedra, NeedsANewBuildOnlyAfterTheFirstSteps) {
             Eigen::VectorXf direction = Eigen::VectorXf::Zero(4 * moving.n_sites());
             for (SiteId s = 0; s < moving.n_sites(); ++s) {
                 direction.segment<3>(4 * s) =
-                    (energy.gradient.segment<3>(3 * s) / (-2 * energy.volume[s])).cast<float>();
+                    (energy.gradient.segment<3>(MovingTetrahedra::kNumbersPerSite * s) /
+                     (-2 * energy.mass[s]))
+                        .cast<float>();
             }
-            ASSERT_TRUE(moving.step(direction, 1.5));
+            ASSERT_TRUE(moving.step(direction, 1.5, workers));
             ASSERT_TRUE(pass.evaluate(energy));
             moving.settle();
             expect_new_build(moving, cube, energy);
@@ -121,7 +123,7 @@ TEST(MovingTetrahedra, StepBackRestoresEveryCoordinate) {
     const double before = energy.value;
     for (const double size : {1e-6, 0.1, 1.0}) {
         const Eigen::VectorXf direction = random_direction(20, size, random);
-        ASSERT_TRUE(moving.step(direction, 1));
+        ASSERT_TRUE(moving.step(direction, 1, workers));
         ASSERT_TRUE(pass.evaluate(energy));
         moving.step_back();
         ASSERT_TRUE(pass.evaluate(energy));
@@ -130,13 +132,14 @@ TEST(MovingTetrahedra, StepBackRestoresEveryCoordinate) {
 }
 
 TEST(MovingTetrahedra, RefusesMovesThatAreNotFinite) {
+    Workers workers(2);
     const Lattice cube = Lattice::box(1, 1, 1);
     MovingTetrahedra moving(Sites(cube, uniform_points(cube, 5, 1)));
     Eigen::VectorXf direction = Eigen::VectorXf::Zero(20);
     direction[9] = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_FALSE(moving.step(direction, 1));
+    EXPECT_FALSE(moving.step(direction, 1, workers));
     direction[9] = std::numeric_limits<float>::infinity();
-    EXPECT_FALSE(moving.step(direction, 1));
+    EXPECT_FALSE(moving.step(direction, 1, workers));
     EXPECT_TRUE(moving.settled());
 }
 
@@ -151,7 +154,7 @@ TEST(MovingTetrahedra, ReportsSitesThatCoincide) {
     Workers workers(1);
     EnergyPass pass(moving, workers);
     Energy energy;
-    ASSERT_TRUE(moving.step(direction, 1));
+    ASSERT_TRUE(moving.step(direction, 1, workers));
     EXPECT_FALSE(pass.evaluate(energy));
     moving.step_back();
     EXPECT_TRUE(pass.evaluate(energy));

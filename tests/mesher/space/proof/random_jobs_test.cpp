@@ -54,9 +54,9 @@ std::vector<double> nearest_distances(const PeriodicDelaunay& delaunay, const Fr
 void expect_equal_energies(const Energy& energy, const Energy& fresh, const Frame& frame,
                            double closest) {
     EXPECT_NEAR(energy.value / fresh.value, 1, 1e-12);
-    EXPECT_NEAR(energy.volume.sum() / frame.volume(), 1, 1e-12);
+    EXPECT_NEAR(energy.mass.sum() / frame.volume(), 1, 1e-12);
     const double relative = 1e-11 / std::min(closest, 1.0);
-    EXPECT_GT(energy.volume.minCoeff(), -relative * frame.volume());
+    EXPECT_GT(energy.mass.minCoeff(), -relative * frame.volume());
     const double length = std::sqrt(fresh.value / frame.volume());
     EXPECT_LT((energy.gradient - fresh.gradient).cwiseAbs().maxCoeff(),
               relative * frame.volume() * length);
@@ -103,7 +103,9 @@ void expect_gradient_of_differences(const PeriodicDelaunay& delaunay, const Ener
                                    frame)
                 .value;
         };
-        const double derivative = energy.gradient.segment<3>(3 * site).dot(frame.to_space(move));
+        const double derivative =
+            energy.gradient.segment<3>(MovingTetrahedra::kNumbersPerSite * site)
+                .dot(frame.to_space(move));
         EXPECT_NEAR(derivative, (value(1) - value(-1)) / 2, 1e-6 * frame.volume() * length * step);
     }
 }
@@ -113,8 +115,9 @@ Energy in_given_numbering(const MovingTetrahedra& moving, const Energy& energy) 
     Energy given = energy;
     for (SiteId s = 0; s < moving.n_sites(); ++s) {
         const SiteId number = moving.original_id(s);
-        given.gradient.segment<3>(3 * number) = energy.gradient.segment<3>(3 * s);
-        given.volume[number] = energy.volume[s];
+        given.gradient.segment<3>(MovingTetrahedra::kNumbersPerSite * number) =
+            energy.gradient.segment<3>(MovingTetrahedra::kNumbersPerSite * s);
+        given.mass[number] = energy.mass[s];
     }
     return given;
 }
@@ -148,7 +151,7 @@ void run_job(std::mt19937_64& random) {
         const auto move = testing::random_space_move(moving, energy, random);
         moves += " " + move.name + ";";
         SCOPED_TRACE(moves);
-        if (!moving.step(move.direction, 1)) continue;
+        if (!moving.step(move.direction, 1, workers)) continue;
         const bool evaluated = pass.evaluate(energy);
         // Two sites may have met.
         EXPECT_TRUE(evaluated || move.name == "meeting" || move.name == "to a grid");

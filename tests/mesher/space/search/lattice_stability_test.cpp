@@ -33,7 +33,7 @@ Eigen::VectorXd gradient_at(const Eigen::Matrix3d& period, const Points& points)
     Eigen::VectorXd gradient(3 * points.cols());
     for (SiteId s = 0; s < moving.n_sites(); ++s) {
         gradient.segment<3>(3 * Eigen::Index{moving.original_id(s)}) =
-            energy.gradient.segment<3>(3 * Eigen::Index{s});
+            energy.gradient.segment<3>(MovingTetrahedra::kNumbersPerSite * Eigen::Index{s});
     }
     return gradient;
 }

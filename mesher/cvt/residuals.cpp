@@ -1,18 +1,18 @@
-#include "mesher/plane/energy/residuals.hpp"
+#include "mesher/cvt/residuals.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "mesher/base/target_clones.hpp"
 
-namespace pcvt::plane {
+namespace pcvt {
 namespace {
 
 constexpr Eigen::Index kSitesPerTask = 1 << 14;
 /// Number of partial sums; with fewer than 16 GCC does not vectorise the loop.
 constexpr Eigen::Index kLanes = 16;
 
-/// Maximum and sum of |gradient_i / m_i|^2.
+/// Maximum and sum of the squares of the sites.
 struct Squares {
     double largest = 0;
     double sum = 0;
@@ -45,10 +45,8 @@ PCVT_TARGET_CLONES Squares squares_of(const double* gradient, const double* mass
     return squares;
 }
 
-}  // namespace
-
-Residuals residuals(const Eigen::VectorXd& gradient, const Eigen::VectorXd& mass, double spacing,
-                    Workers& workers) {
+Residuals residuals_in_plane(const Eigen::VectorXd& gradient, const Eigen::VectorXd& mass,
+                             double spacing, Workers& workers) {
     const Eigen::Index n = mass.size();
     std::vector<Squares> squares(static_cast<std::size_t>(n / kSitesPerTask + 1));
     workers.for_each(static_cast<int>(squares.size()), [&](int task) {
@@ -62,12 +60,36 @@ Residuals residuals(const Eigen::VectorXd& gradient, const Eigen::VectorXd& mass
     return {std::sqrt(total.largest) * per_h, std::sqrt(total.sum / double(n)) * per_h};
 }
 
+/// In space these operations are a small part of an evaluation, so they are not vectorised.
+Residuals residuals_in_space(const Eigen::VectorXd& gradient, const Eigen::VectorXd& mass,
+                             double spacing) {
+    Squares total;
+    for (Eigen::Index s = 0; s < mass.size(); ++s) {
+        const Eigen::Vector3d residual = gradient.segment<3>(4 * s) / (2 * mass[s]);
+        total.add({residual.squaredNorm(), residual.squaredNorm()});
+    }
+    return {std::sqrt(total.largest) / spacing,
+            std::sqrt(total.sum / double(mass.size())) / spacing};
+}
+
+}  // namespace
+
+Residuals residuals(const Eigen::VectorXd& gradient, const Eigen::VectorXd& mass, double spacing,
+                    Workers& workers) {
+    return gradient.size() == 2 * mass.size() ? residuals_in_plane(gradient, mass, spacing, workers)
+                                              : residuals_in_space(gradient, mass, spacing);
+}
+
 void steps_to_centroids(const Eigen::VectorXd& gradient, const Eigen::VectorXd& mass,
                         Eigen::VectorXf& steps) {
     steps.resize(gradient.size());
+    const Eigen::Index numbers = gradient.size() / mass.size();
     for (Eigen::Index s = 0; s < mass.size(); ++s) {
-        steps.segment<2>(2 * s) = (gradient.segment<2>(2 * s) / (-2 * mass[s])).cast<float>();
+        const double per_mass = -2 * mass[s];
+        for (Eigen::Index k = numbers * s; k < numbers * (s + 1); ++k) {
+            steps[k] = static_cast<float>(gradient[k] / per_mass);
+        }
     }
 }
 
-}  // namespace pcvt::plane
+}  // namespace pcvt

@@ -1,10 +1,11 @@
-#include "mesher/optimize/fixed_pairs.hpp"
+#include "mesher/optimize/fixed_blocks.hpp"
 
 #include "mesher/base/block_matrix.hpp"
 
 namespace pcvt {
 
-FixedPairs::FixedPairs(std::vector<bool> is_fixed) : is_fixed_(std::move(is_fixed)) {
+FixedBlocks::FixedBlocks(std::vector<bool> is_fixed, int size)
+    : size_(size), is_fixed_(std::move(is_fixed)) {
     for (std::size_t i = 0; i < is_fixed_.size(); ++i) {
         if (is_fixed_[i]) fixed_.push_back(static_cast<Eigen::Index>(i));
     }
@@ -13,7 +14,7 @@ FixedPairs::FixedPairs(std::vector<bool> is_fixed) : is_fixed_(std::move(is_fixe
     if (n_free > 0) rms_factor_ = std::sqrt(n / n_free);
 }
 
-void FixedPairs::restrict_hessian(BlockMatrix& hessian) const {
+void FixedBlocks::restrict_hessian(BlockMatrix& hessian) const {
     if (fixed_.empty()) return;
     const auto is_kept = [&](int row, int k) {
         return !is_fixed_[row] && !is_fixed_[hessian.column[k]];

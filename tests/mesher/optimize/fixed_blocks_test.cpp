@@ -1,4 +1,4 @@
-#include "mesher/optimize/fixed_pairs.hpp"
+#include "mesher/optimize/fixed_blocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ BlockMatrix random_matrix(int n, std::mt19937_64& random) {
     return matrix;
 }
 
-TEST(FixedPairs, RestrictTheHessianToFreePairs) {
+TEST(FixedBlocks, RestrictTheHessianToFreePairs) {
     std::mt19937_64 random(1);
     for (int n = 1; n < 9; ++n) {
         std::vector<bool> is_fixed(static_cast<std::size_t>(n), false);
@@ -45,7 +45,7 @@ TEST(FixedPairs, RestrictTheHessianToFreePairs) {
         }
         BlockMatrix matrix = random_matrix(n, random);
         const Eigen::MatrixXd all = testing::dense(matrix);
-        const FixedPairs fixed(is_fixed);
+        const FixedBlocks fixed(is_fixed);
         fixed.restrict_hessian(matrix);
         Eigen::MatrixXd expected = free.asDiagonal() * all * free.asDiagonal();
         expected.diagonal() += Eigen::VectorXd::Ones(2 * n) - free;
@@ -54,14 +54,19 @@ TEST(FixedPairs, RestrictTheHessianToFreePairs) {
     }
 }
 
-TEST(FixedPairs, ClearTheirEntriesAlone) {
-    const FixedPairs fixed({false, true, false});
+TEST(FixedBlocks, ClearTheirEntriesAlone) {
+    const FixedBlocks fixed({false, true, false});
     Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(6, 1, 6);
     fixed.clear(x);
     EXPECT_EQ(x, (Eigen::VectorXd(6) << 1, 2, 0, 0, 5, 6).finished());
     EXPECT_DOUBLE_EQ(fixed.rms_factor(), std::sqrt(1.5));
-    EXPECT_EQ(FixedPairs().rms_factor(), 1);
-    EXPECT_EQ(FixedPairs({true, true}).rms_factor(), 1);
+    EXPECT_EQ(FixedBlocks().rms_factor(), 1);
+    const FixedBlocks in_space({false, true}, 4);
+    Eigen::VectorXd y = Eigen::VectorXd::LinSpaced(8, 1, 8);
+    in_space.clear(y);
+    EXPECT_EQ(y, (Eigen::VectorXd(8) << 1, 2, 3, 4, 0, 0, 0, 0).finished());
+    EXPECT_DOUBLE_EQ(in_space.rms_factor(), std::sqrt(2));
+    EXPECT_EQ(FixedBlocks({true, true}).rms_factor(), 1);
 }
 
 }  // namespace

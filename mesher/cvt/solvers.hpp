@@ -7,11 +7,11 @@
 #include "mesher/optimize/lbfgs_newton.hpp"
 #include "mesher/optimize/lloyd.hpp"
 
-namespace pcvt::plane {
+namespace pcvt {
 
-/// `kLbfgs` lets Newton's method finish where a minimum is near, `kNewton` uses that method from
-/// the start (lbfgs_newton.hpp). `kPlainLbfgs` and `kLloyd` are the paper's solvers and nothing
-/// else.
+/// `kLbfgs` lets Newton's method finish where a minimum is near and the objective has a Hessian,
+/// `kNewton` uses that method from the start (lbfgs_newton.hpp). `kPlainLbfgs` and `kLloyd` are the
+/// paper's solvers and nothing else.
 enum class Solver { kLbfgs, kLloyd, kNewton, kPlainLbfgs };
 
 /// Minimises from the point that the objective holds.
@@ -85,4 +85,4 @@ constexpr const SolverRow& solver_row(Solver solver) {
     return kSolvers[static_cast<std::size_t>(solver)];
 }
 
-}  // namespace pcvt::plane
+}  // namespace pcvt

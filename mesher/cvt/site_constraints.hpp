@@ -1,0 +1,30 @@
+#pragma once
+
+#include "mesher/optimize/fixed_blocks.hpp"
+
+namespace pcvt {
+
+/// A condition that the positions of sites satisfy throughout a run: line searches shorten a step
+/// that leads to others, as if the energy were infinite there.
+template <class Moving>
+class SiteGuard {
+   public:
+    /// Whether the coordinates are admitted; the triangulation need not be restored.
+    virtual bool admits(const Moving& moving) = 0;
+
+   protected:
+    ~SiteGuard() = default;
+};
+
+/// What a run may not change: sites, numbered as in the moving triangulation, and their guard's
+/// condition.
+template <class Moving>
+struct SiteConstraints {
+    FixedBlocks fixed;
+    /// nullptr: none.
+    SiteGuard<Moving>* guard = nullptr;
+
+    bool admit(const Moving& moving) const { return guard == nullptr || guard->admits(moving); }
+};
+
+}  // namespace pcvt
