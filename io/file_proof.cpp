@@ -88,9 +88,9 @@ void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& file
 }
 
 /// The part of the materials that a format states.
-plane::CellMaterials held_materials(const TileFormat& format, const FileOptions& options) {
+CellMaterials held_materials(const TileFormat& format, const FileOptions& options) {
     if (!format.states_materials || options.materials == nullptr) return {};
-    plane::CellMaterials materials = *options.materials;
+    CellMaterials materials = *options.materials;
     if (!format.takes_orientations) materials.site_orientation.clear();
     return materials;
 }
@@ -183,7 +183,7 @@ void prove_grid_files(const TileFormat& format, const std::vector<EncodedFile>& 
 }
 
 void prove_voxel_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                       const plane::CellMaterials& materials) {
+                       const CellMaterials& materials) {
     try {
         const VoxelFile file = std::get<VoxelReader*>(format.read)(files);
         const plane::VoxelProof proof = prove_voxel_file(files, file);

@@ -64,7 +64,7 @@ void prove_grid_files(const TileFormat& format, const std::vector<EncodedFile>& 
 /// @pre format.reads_voxels().
 /// @throws InternalError  a law is violated: a fault of pcvt.
 void prove_voxel_files(const TileFormat& format, const std::vector<EncodedFile>& files,
-                       const plane::CellMaterials& materials);
+                       const CellMaterials& materials);
 
 /// Proves that `format` reads exactly `sites` in `files`.
 /// @pre format.reads_sites().

@@ -67,7 +67,7 @@ void require_prisms(const FormatRequest& request) {
 
 /// The mean strains of the job need equations across all sides.
 void require_job_without_walls(const FormatRequest& request) {
-    if (request.files.job == SolverJob::kNone || request.walls == plane::Walls::kNone) return;
+    if (request.files.job == SolverJob::kNone || request.walls == Walls::kNone) return;
     throw InvalidInput(
         "the job prescribes mean strains, which need a tile that is periodic along both "
         "directions; "
@@ -76,7 +76,7 @@ void require_job_without_walls(const FormatRequest& request) {
 
 /// MPAS takes a rectangular torus, and the Voronoi diagram as it is.
 void require_mpas_torus(const FormatRequest& request) {
-    if (request.walls != plane::Walls::kNone) {
+    if (request.walls != Walls::kNone) {
         throw InvalidInput(
             "MPAS meshes are periodic along both directions; leave the walls out, or take .vtu");
     }
@@ -106,7 +106,7 @@ void require_voxel_grid(const FormatRequest& request) {
             "voxels fill the whole rectangle; leave the holes out, whose tags are then phases, or "
             "take .vtu");
     }
-    if (request.walls != plane::Walls::kNone) {
+    if (request.walls != Walls::kNone) {
         throw InvalidInput(
             "DAMASK's voxels are periodic along both directions; leave the walls out, or take "
             ".vtu");
@@ -158,7 +158,7 @@ std::vector<EncodedFile> write_msh(const plane::Tile& tile, const FileOptions& o
 std::vector<EncodedFile> write_vtu(const plane::Tile& tile, const FileOptions& options,
                                    const std::string& path) {
     return encode_vtu(tile, path, options.site_orbits,
-                      options.materials == nullptr ? plane::CellMaterials{} : *options.materials);
+                      options.materials == nullptr ? CellMaterials{} : *options.materials);
 }
 
 std::vector<EncodedFile> write_foam(const plane::Tile& tile, const FileOptions& options,

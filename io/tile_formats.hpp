@@ -43,8 +43,8 @@ using CellWriter = std::vector<EncodedFile>(const CellRows& rows, const std::str
 /// Writes the cells as voxels, with the phases, orientations and elastic constants of the cells.
 using VoxelWriter = std::vector<EncodedFile>(const plane::VoxelImage& image,
                                              const plane::VoxelCells& cells,
-                                             const plane::CellMaterials& materials,
-                                             const plane::ElasticChoices& elastic,
+                                             const CellMaterials& materials,
+                                             const ElasticChoices& elastic,
                                              const std::string& path);
 
 using TileReader = TileFile(const std::vector<EncodedFile>& files,
@@ -69,7 +69,7 @@ struct FormatRequest {
     double n_sites = 1;
     /// The numbers of periods in `lattice`.
     double n_periods = 1;
-    plane::Walls walls = plane::Walls::kNone;
+    Walls walls = Walls::kNone;
     bool has_holes = false;
     /// Whether the cells are power cells.
     bool has_weights = false;

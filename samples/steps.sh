@@ -14,16 +14,30 @@ fail_with() {
     exit 1
 }
 
+# show_steps: prints the numbers in lines "DONE ALL ..." as soon as they come. (awk would read ahead: mawk waits for
+# 4096 bytes of a pipe.)
+show_steps() {
+    local done all fifths=0 terminal=false open=false
+    [[ -t 1 ]] && terminal=true
+    while read -r done all _; do
+        [[ $done =~ ^[0-9]+$ && $all =~ ^[1-9][0-9]*$ ]] || continue
+        if $terminal; then
+            printf '\r  %d of %d steps' "$done" "$all"
+            open=true
+        elif ((5 * done / all > fifths)); then
+            fifths=$((5 * done / all))
+            printf '  %d of %d steps\n' "$done" "$all"
+        fi
+    done
+    if $open; then echo; fi
+}
+
 # build NAME PRESET OPTION...: builds a preset, with ninja's output in build/logs/NAME.log, and prints how far it is:
 # in one line on a terminal, else in a line for each fifth of the steps.
 build() {
     local log=build/logs/$1.log preset=$2
     shift 2
     NINJA_STATUS='%f %t ' cmake --build --preset "$preset" "$@" 2>&1 </dev/null | tee "$log" |
-        awk -v terminal="$([[ -t 1 ]] && echo 1)" '
-            !($1 ~ /^[0-9]+$/ && $2 ~ /^[0-9]+$/) { next }
-            terminal { printf "\r  %d of %d steps", $1, $2; fflush(); open = 1; next }
-            int(5 * $1 / $2) > fifths { fifths = int(5 * $1 / $2); printf "  %d of %d steps\n", $1, $2; fflush() }
-            END { if (open) print "" }' ||
+        show_steps ||
         fail_with "$log" "cmake --build --preset $preset $*"
 }

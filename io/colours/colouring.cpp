@@ -188,7 +188,7 @@ TileColours colours_by_density(const plane::Tile& tile, const SiteQuantities& qu
 }
 
 TileColours colours_by_phase(const plane::Tile& tile, const SiteQuantities& quantities) {
-    const plane::CellMaterials& materials = *quantities.materials;
+    const CellMaterials& materials = *quantities.materials;
     const std::vector<int>& phases = materials.site_phase;
     TileColours colours{.class_of = {}, .classes = {}, .explanation = " by phase"};
     for (const SiteId site : owners(tile)) {
@@ -199,7 +199,7 @@ TileColours colours_by_phase(const plane::Tile& tile, const SiteQuantities& quan
         const std::string& name = materials.phase_names[k];
         colours.classes.push_back(
             {.colour = cell_colour(k % kCellColours),
-             .name = plane::phase_group(name),
+             .name = phase_group(name),
              .label = name + ": " + std::to_string(std::count(phases.begin(), phases.end(), k))});
     }
     return colours;

@@ -8,7 +8,7 @@
 
 #include "io/colours/palette.hpp"
 #include "mesher/base/choices.hpp"
-#include "mesher/plane/materials/cell_materials.hpp"
+#include "mesher/cells/cell_materials.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
@@ -46,7 +46,7 @@ struct SiteQuantities {
     /// Empty where the density is uniform.
     std::span<const double> densities = {};
     /// Null: none.
-    const plane::CellMaterials* materials = nullptr;
+    const CellMaterials* materials = nullptr;
     /// The orbit of each site under the symmetry of the run; empty without one.
     std::span<const int> orbits = {};
 };

@@ -103,11 +103,10 @@ int named_sides(std::string_view name) {
 /// Whether the site of a face lies on a wall, which cuts its cell.
 bool is_on_wall(const plane::Tile& tile, SiteId site) {
     if (site < 0 || static_cast<std::size_t>(site) >= tile.site_positions.size()) return false;
-    return std::any_of(
-        plane::kWallSides.begin(), plane::kWallSides.end(), [&](const plane::WallSideRow& row) {
-            return has_walls_across(tile.walls, row.axis) &&
-                   tile.site_positions[site][row.axis] == wall_line(row.side, tile.lattice);
-        });
+    return std::any_of(kWallSides.begin(), kWallSides.end(), [&](const WallSideRow& row) {
+        return has_walls_across(tile.walls, row.axis) &&
+               tile.site_positions[site][row.axis] == wall_line(row.side, tile.lattice);
+    });
 }
 
 /// Returns the number of the material of each face.

@@ -27,8 +27,8 @@ std::optional<plane::Offset> named_offset(const std::string& name) {
     }
 }
 
-std::optional<plane::WallSide> named_side(const std::string& name) {
-    for (const plane::WallSideRow& row : plane::kWallSides) {
+std::optional<WallSide> named_side(const std::string& name) {
+    for (const WallSideRow& row : kWallSides) {
         if (name == row.word) return row.side;
     }
     return std::nullopt;
@@ -66,7 +66,7 @@ std::pair<ExtrudedPatch, std::string> read_patch(FoamScanner& scanner, int n_hol
         scanner.skip_entry();
     }
     // A patch is a wall, empty, or cyclic with an offset in its name.
-    const std::optional<plane::WallSide> side = named_side(patch.name);
+    const std::optional<WallSide> side = named_side(patch.name);
     if (type == "wall")
         patch.wall = side ? plane::WallId::side(*side) : plane::WallId::hole(n_holes);
     if (partner.empty() && (type == "wall" || (type == "empty" && !side))) return {patch, partner};
@@ -130,11 +130,11 @@ FileTileBuilder read_comments(const EncodedFile& file) {
 /// Gives the tile its sites and their notes. The patches state its walls and holes, with which the
 /// notes must agree.
 void give_notes(const EncodedFile& boundary, FileTileBuilder comments, plane::Tile& tile) {
-    const plane::Walls walls = tile.walls;
+    const Walls walls = tile.walls;
     std::vector<plane::WallEdge> wall_edges = std::move(tile.wall_edges);
     std::vector<std::string> holes = std::move(tile.holes);
     give_sites(std::move(comments), tile);
-    const bool states_notes = !tile.site_positions.empty() || tile.walls != plane::Walls::kNone;
+    const bool states_notes = !tile.site_positions.empty() || tile.walls != Walls::kNone;
     if (states_notes && tile.walls != walls) {
         throw BadFile(boundary.path + ": the comment on walls means " + walls_row(tile.walls).word +
                       ", but the patches " + walls_row(walls).word + "; correct the comment");
@@ -177,7 +177,7 @@ TileFile decode_foam(const std::vector<EncodedFile>& files,
     read_boundary(boundary, extruded);
     const bool states_lattice = comments.lattice.has_value();
     plane::Tile tile = extruded_base(extruded);
-    plane::CellMaterials materials = std::move(comments.materials);
+    CellMaterials materials = std::move(comments.materials);
     if (!materials.empty()) foam_mesh_file(files, "cellZones");
     give_notes(boundary, std::move(comments), tile);
     require_materials(boundary.path, materials, n_stated_sites(tile));

@@ -107,13 +107,13 @@ void append_sites(std::string& text, const plane::Tile& tile) {
 }
 
 /// The phases of the cells alone, which are all that a case states of materials.
-plane::CellMaterials held_phases(const plane::CellMaterials* materials) {
+CellMaterials held_phases(const CellMaterials* materials) {
     if (materials == nullptr) return {};
     return {.phase_names = materials->phase_names, .site_phase = materials->site_phase};
 }
 
 /// Returns the zones of the cells, one for each phase.
-std::string encode_zones(const plane::Tile& tile, const plane::CellMaterials& materials) {
+std::string encode_zones(const plane::Tile& tile, const CellMaterials& materials) {
     std::vector<std::vector<int>> zones(materials.phase_names.size());
     if (!zones.empty()) {
         for (int f = 0; f < tile.n_faces(); ++f) {
@@ -123,7 +123,7 @@ std::string encode_zones(const plane::Tile& tile, const plane::CellMaterials& ma
     std::string text = foam_header("regIOobject", kMeshFolder, "cellZones") +
                        count_line(static_cast<int>(zones.size()));
     for (std::size_t p = 0; p < zones.size(); ++p) {
-        text += plane::phase_group(materials.phase_names[p]) +
+        text += phase_group(materials.phase_names[p]) +
                 "\n{\n    type            cellZone;\n    cellLabels      List<label>\n" +
                 count_line(static_cast<int>(zones[p].size()));
         for (const int cell : zones[p]) {
@@ -136,7 +136,7 @@ std::string encode_zones(const plane::Tile& tile, const plane::CellMaterials& ma
 }
 
 std::string encode_boundary(const plane::Tile& tile, const ExtrudedMesh& extruded,
-                            const plane::CellMaterials& materials) {
+                            const CellMaterials& materials) {
     std::string text = foam_header("polyBoundaryMesh", kMeshFolder, "boundary") +
                        "// A periodic tile, written by pcvt: seam_I_J is answered at + I a + J b\n"
                        "// pcvt kind " +
@@ -173,12 +173,12 @@ std::vector<std::string> foam_paths(const std::string& folder) {
 }
 
 std::vector<EncodedFile> encode_foam(const plane::Tile& tile, const std::string& folder,
-                                     double thickness, const plane::CellMaterials* materials) {
+                                     double thickness, const CellMaterials* materials) {
     require_finite(tile);
     const ExtrudedMesh extruded = extruded_mesh(tile, thickness);
     const DecayingFlow flow(tile.lattice, tile.walls);
     const CellFlow cells = cell_flow(flow, tile, extruded);
-    const plane::CellMaterials phases = held_phases(materials);
+    const CellMaterials phases = held_phases(materials);
     // The contents have the order of foam_paths().
     std::vector<std::string> contents = {encode_points(extruded),
                                          encode_faces(extruded),

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/plane/materials/cell_materials.hpp"
+#include "mesher/cells/cell_materials.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
@@ -35,6 +35,6 @@ std::vector<std::string> foam_paths(const std::string& folder);
 /// @throws InternalError if a coordinate is not finite.
 std::vector<EncodedFile> encode_foam(const plane::Tile& tile, const std::string& folder,
                                      double thickness = 0,
-                                     const plane::CellMaterials* materials = nullptr);
+                                     const CellMaterials* materials = nullptr);
 
 }  // namespace pcvt

@@ -55,9 +55,9 @@ void append_key(std::string& text, const char* key) {
 }
 
 /// Appends the names of the phases, and the phase of each site of one period.
-void append_phases(std::string& text, const plane::CellMaterials* materials) {
-    const plane::CellMaterials none;
-    const plane::CellMaterials& shown = materials == nullptr ? none : *materials;
+void append_phases(std::string& text, const CellMaterials* materials) {
+    const CellMaterials none;
+    const CellMaterials& shown = materials == nullptr ? none : *materials;
     append_key(text, "phases");
     text += '[';
     for (const std::string& name : shown.phase_names) {

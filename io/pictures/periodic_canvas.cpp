@@ -114,7 +114,7 @@ PackedColour packed(Colour colour) {
     return static_cast<PackedColour>(std::stoul(hex(colour).substr(1), nullptr, 16));
 }
 
-PeriodicCanvas::PeriodicCanvas(int width, int height, plane::Walls walls)
+PeriodicCanvas::PeriodicCanvas(int width, int height, Walls walls)
     : width_(width), height_(height), walls_(walls) {}
 
 void PeriodicCanvas::add_polygon(std::span<const plane::Vec2> corners, PackedColour colour) {

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "io/colours/palette.hpp"
-#include "mesher/plane/geometry/walls.hpp"
+#include "mesher/plane/geometry/lattice.hpp"
+#include "mesher/torus/walls.hpp"
 
 namespace pcvt {
 
@@ -37,7 +38,7 @@ PackedColour packed(Colour colour);
 /// Laws (1) and (2) hold for moves that cross no wall.
 class PeriodicCanvas {
    public:
-    PeriodicCanvas(int width, int height, plane::Walls walls);
+    PeriodicCanvas(int width, int height, Walls walls);
 
     /// Adds a polygon, filled by the even-odd rule.
     void add_polygon(std::span<const plane::Vec2> corners, PackedColour colour);
@@ -70,7 +71,7 @@ class PeriodicCanvas {
 
     int width_;
     int height_;
-    plane::Walls walls_;
+    Walls walls_;
     std::vector<Shape> shapes_;
     std::vector<plane::Vec2> corners_;
 };

@@ -156,7 +156,7 @@ std::vector<EncodedFile> encode_space_png(const SpaceTile& tile, const std::stri
     const SpacePicture picture = picture_of(tile);
     const auto width = static_cast<int>(std::ceil(kSharpness * picture.frame.width()));
     const auto height = static_cast<int>(std::ceil(kSharpness * picture.frame.height()));
-    PeriodicCanvas canvas(width, height, plane::Walls::kNone);
+    PeriodicCanvas canvas(width, height, Walls::kNone);
     canvas.add_polygon(std::vector<plane::Vec2>{{0, 0}, {width, 0}, {width, height}, {0, height}},
                        kBackground);
     std::vector<plane::Vec2> corners;

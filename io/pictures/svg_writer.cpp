@@ -220,7 +220,7 @@ std::string draw_seam(const Drawing& drawing) {
 std::string wall_names(const plane::Tile& tile) {
     constexpr std::size_t kPrefix = std::string_view("wall_").size();
     std::string names;
-    for (const plane::WallSideRow& row : plane::kWallSides) {
+    for (const WallSideRow& row : kWallSides) {
         if (!has_walls_across(tile.walls, row.axis)) continue;
         names += (names.empty() ? "" : ", ") + std::string(row.word).substr(kPrefix);
     }
@@ -236,7 +236,7 @@ std::string caption(const plane::Tile& tile) {
     const int n = count_drawn_sites(tile);
     const std::string triangles = counted(tile.n_faces(), "triangle");
     const plane::MeshKindRow& kind = mesh_kind_row(tile.kind);
-    const bool has_walls = tile.walls != plane::Walls::kNone;
+    const bool has_walls = tile.walls != Walls::kNone;
     const std::string tile_word = has_walls ? " tile between walls, " : " tile, ";
     const std::string periodic = has_walls ? "" : "Periodic ";
     if (!kind.faces_have_sites) {

@@ -4,7 +4,7 @@
 
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/text.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
+#include "mesher/cells/target_areas.hpp"
 
 namespace pcvt {
 namespace {
@@ -48,7 +48,7 @@ AreaFile parse_areas(const std::string& name, std::string_view text) {
     }
     if (sizes.empty()) throw BadFile(name + ": holds no area; give one a line, one for each site");
     file.areas = Eigen::Map<const Eigen::VectorXd>(sizes.data(), std::ssize(sizes));
-    if (are_diameters) file.areas = plane::areas_of_diameters(file.areas);
+    if (are_diameters) file.areas = areas_of_diameters(file.areas);
     return file;
 }
 
@@ -70,7 +70,7 @@ void require_areas(const AreaFile& file, int n_sites) {
     }
     Eigen::Index smallest = 0;
     const Eigen::VectorXd relative = file.areas / file.areas.maxCoeff();
-    if (relative.minCoeff(&smallest) >= plane::kLeastArea * relative.mean()) return;
+    if (relative.minCoeff(&smallest) >= kLeastArea * relative.mean()) return;
     throw at_line(file, file.lines[static_cast<std::size_t>(smallest)],
                   "the area is below 1e-6 of the mean; give a larger one");
 }

@@ -94,8 +94,8 @@ class RowComparison {
 };
 
 bool is_row_of(const RowScanner& scanner, const CellRows& rows, SiteId s) {
-    const plane::CellTable& cells = rows.cells;
-    const plane::CellMaterials& materials = rows.materials;
+    const CellTable& cells = rows.cells;
+    const CellMaterials& materials = rows.materials;
     RowComparison row(scanner);
     row.number(s);
     row.number(rows.sites(0, s));
@@ -105,7 +105,7 @@ bool is_row_of(const RowScanner& scanner, const CellRows& rows, SiteId s) {
     } else {
         row.text("");
     }
-    row.number(cells.area[s]);
+    row.number(cells.measure[s]);
     row.number(cells.equivalent_diameter(s));
     row.number(cells.sides[s]);
     row.number(cells.circularity(s));
@@ -115,7 +115,7 @@ bool is_row_of(const RowScanner& scanner, const CellRows& rows, SiteId s) {
     if (materials.site_orientation.empty()) {
         for (int k = 0; k < 3; ++k) row.text("");
     } else {
-        const plane::BungeAngles& angles = materials.site_orientation[s];
+        const BungeAngles& angles = materials.site_orientation[s];
         for (const double angle : {angles.phi1, angles.Phi, angles.phi2}) row.number(angle);
     }
     if (rows.orbits.empty()) {

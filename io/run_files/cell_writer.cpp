@@ -15,8 +15,8 @@ constexpr const char* kHead =
 }  // namespace
 
 std::string encode_cells(const CellRows& rows) {
-    const plane::CellTable& cells = rows.cells;
-    const plane::CellMaterials& materials = rows.materials;
+    const CellTable& cells = rows.cells;
+    const CellMaterials& materials = rows.materials;
     std::string text = std::string(kHead) + kCellHeader + '\n';
     const auto append = [&text](auto number, const char* separator = ",") {
         append_number(text, number);
@@ -29,7 +29,7 @@ std::string encode_cells(const CellRows& rows) {
         append(rows.sites(1, s));
         if (rows.weights.size() > 0) append_number(text, rows.weights[s]);
         text += ',';
-        append(cells.area[s]);
+        append(cells.measure[s]);
         append(cells.equivalent_diameter(s));
         append(cells.sides[s]);
         append(cells.circularity(s));
@@ -38,7 +38,7 @@ std::string encode_cells(const CellRows& rows) {
         if (materials.site_orientation.empty()) {
             text += ",,,";
         } else {
-            const plane::BungeAngles& angles = materials.site_orientation[s];
+            const BungeAngles& angles = materials.site_orientation[s];
             append(angles.phi1);
             append(angles.Phi);
             append(angles.phi2);

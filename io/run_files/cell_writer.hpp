@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "mesher/cells/cell_materials.hpp"
 #include "mesher/plane/geometry/lattice.hpp"
-#include "mesher/plane/materials/cell_materials.hpp"
-#include "mesher/plane/mesh/cell_table.hpp"
+#include "mesher/plane/mesh/cell_measures.hpp"
 
 namespace pcvt {
 
@@ -13,10 +13,10 @@ namespace pcvt {
 struct CellRows {
     /// 2 x n, length units.
     plane::Points sites;
-    plane::CellTable cells;
+    CellTable cells;
     /// length^2, one a site; empty without weights.
     Eigen::VectorXd weights = {};
-    plane::CellMaterials materials = {};
+    CellMaterials materials = {};
     /// Whether the phases are the tags of inclusions.
     bool phases_are_tags = false;
     /// The orbit of each site under the symmetry of the run; empty without one.

@@ -7,7 +7,7 @@
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/text.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/plane/materials/phase_fractions.hpp"
+#include "mesher/cells/phase_fractions.hpp"
 
 namespace pcvt {
 namespace {
@@ -59,7 +59,7 @@ int tag_number(const LineScanner& scanner, std::string_view word, std::vector<st
     const auto number = static_cast<int>(known - tags.begin()) + 1;
     if (known != tags.end()) return number;
     try {
-        plane::require_phase_names({kMatrixTag, std::string(word)});
+        require_phase_names({kMatrixTag, std::string(word)});
     } catch (const InvalidInput& fault) {
         scanner.throw_bad_file("the tag " + in_quotes(word) + ": " + fault.what());
     }
@@ -70,7 +70,7 @@ int tag_number(const LineScanner& scanner, std::string_view word, std::vector<st
 /// Requires that the tags differ by more than their case, and are not too many.
 void require_distinct_tags(const std::string& name, const std::vector<std::string>& tags) {
     try {
-        plane::require_phase_names(tags);
+        require_phase_names(tags);
     } catch (const InvalidInput& fault) {
         throw BadFile(name + ": " + fault.what());
     }

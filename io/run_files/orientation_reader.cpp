@@ -24,10 +24,10 @@ double in_degrees(double radians) {
     return std::clamp(radians * (180 / std::numbers::pi), -360.0, 360.0);
 }
 
-plane::BungeAngles parse_angles(const LineScanner& scanner,
-                                const std::vector<std::string_view>& words, AngleUnit unit) {
-    const plane::BungeAngles angles{scanner.number(words[0]), scanner.number(words[1]),
-                                    scanner.number(words[2])};
+BungeAngles parse_angles(const LineScanner& scanner, const std::vector<std::string_view>& words,
+                         AngleUnit unit) {
+    const BungeAngles angles{scanner.number(words[0]), scanner.number(words[1]),
+                             scanner.number(words[2])};
     try {
         if (unit != AngleUnit::kRadians) return checked_angles(angles);
         return {in_degrees(angles.phi1), in_degrees(angles.Phi), in_degrees(angles.phi2)};
@@ -38,10 +38,10 @@ plane::BungeAngles parse_angles(const LineScanner& scanner,
 
 }  // namespace
 
-bool look_like_radians(std::span<const plane::BungeAngles> angles) {
+bool look_like_radians(std::span<const BungeAngles> angles) {
     double largest = 0;
     double largest_tilt = 0;
-    for (const plane::BungeAngles& a : angles) {
+    for (const BungeAngles& a : angles) {
         largest_tilt = std::max(largest_tilt, std::abs(a.Phi));
         largest = std::max({largest, std::abs(a.phi1), std::abs(a.Phi), std::abs(a.phi2)});
     }
@@ -49,11 +49,11 @@ bool look_like_radians(std::span<const plane::BungeAngles> angles) {
            largest_tilt <= kHalfTurn * (1 + kRounding) && largest > kSmallAngle;
 }
 
-std::vector<plane::BungeAngles> parse_orientations(const std::string& name, std::string_view text,
-                                                   AngleUnit unit) {
+std::vector<BungeAngles> parse_orientations(const std::string& name, std::string_view text,
+                                            AngleUnit unit) {
     refuse_binary(name, text, "give a text with \"phi1 Phi phi2\" a line");
     LineScanner scanner(name, text);
-    std::vector<plane::BungeAngles> orientations;
+    std::vector<BungeAngles> orientations;
     while (scanner.next()) {
         const std::vector<std::string_view> words = scanner.words_before_comment();
         if (words.empty()) continue;
@@ -74,7 +74,7 @@ std::vector<plane::BungeAngles> parse_orientations(const std::string& name, std:
     return orientations;
 }
 
-std::vector<plane::BungeAngles> read_orientations(const std::string& path, AngleUnit unit) {
+std::vector<BungeAngles> read_orientations(const std::string& path, AngleUnit unit) {
     return parse_orientations(path, read_whole_file(path, kSiteInput), unit);
 }
 

@@ -8,8 +8,8 @@
 #include "io/elements/fixed_width_numbers.hpp"
 #include "io/solvers/inp_fields.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/plane/geometry/set_names.hpp"
-#include "mesher/plane/materials/orientations.hpp"
+#include "mesher/cells/orientations.hpp"
+#include "mesher/cells/set_names.hpp"
 
 namespace pcvt {
 namespace {
@@ -20,7 +20,7 @@ constexpr std::size_t kSetsALine = 8;
 /// @param class_of  of each site.
 void append_cell_sets(std::string& text, std::span<const int> class_of,
                       std::span<const std::string> set_names, std::span<const SiteId> cells) {
-    const std::string cell_set = upper_case(plane::kCellSet);
+    const std::string cell_set = upper_case(kCellSet);
     std::vector<std::vector<SiteId>> members(set_names.size());
     for (const SiteId s : cells) members[class_of[s]].push_back(s);
     for (std::size_t p = 0; p < members.size(); ++p) {
@@ -33,18 +33,18 @@ void append_cell_sets(std::string& text, std::span<const int> class_of,
     }
 }
 
-void append_phase_sets(std::string& text, const plane::CellMaterials& materials,
+void append_phase_sets(std::string& text, const CellMaterials& materials,
                        std::span<const SiteId> cells) {
     std::vector<std::string> names;
     for (const std::string& phase : materials.phase_names)
-        names.push_back(upper_case(plane::kPhaseSet) + phase);
+        names.push_back(upper_case(kPhaseSet) + phase);
     append_cell_sets(text, materials.site_phase, names, cells);
 }
 
-void append_orientation(std::string& text, SiteId site, const plane::BungeAngles& angles) {
+void append_orientation(std::string& text, SiteId site, const BungeAngles& angles) {
     const FixedWidthNumbers numbers(1);
     const Eigen::Matrix3d g = bunge_matrix(angles);
-    text += "*ORIENTATION,NAME=" + upper_case(plane::kOrientationSet) + std::to_string(site) + "\n";
+    text += "*ORIENTATION,NAME=" + upper_case(kOrientationSet) + std::to_string(site) + "\n";
     for (int k = 0; k < 6; ++k) {
         if (k > 0) text += ',';
         if (!numbers.append(text, g(k / 3, k % 3))) {
@@ -100,7 +100,7 @@ void append_constants(std::string& text, std::initializer_list<double> values) {
     text.back() = '\n';
 }
 
-void append_material(std::string& text, const plane::NamedConstants& material) {
+void append_material(std::string& text, const NamedConstants& material) {
     text += "*MATERIAL,NAME=" + material.name + "\n";
     const std::vector<double>& numbers = material.constants.numbers;
     if (material.constants.is_isotropic()) {
@@ -130,45 +130,44 @@ std::string inp_orbit_sets(std::span<const int> site_orbits, std::span<const Sit
     std::vector<std::string> names;
     for (const int orbit : site_orbits) {
         if (orbit == std::ssize(names))
-            names.push_back(upper_case(plane::kOrbitSet) + std::to_string(orbit));
+            names.push_back(upper_case(kOrbitSet) + std::to_string(orbit));
     }
     if (!names.empty()) append_cell_sets(text, site_orbits, names, cells);
     return text;
 }
 
-std::string inp_sections(const plane::CellMaterials& materials, std::span<const SiteId> cells) {
-    const std::string cell_set = upper_case(plane::kCellSet);
+std::string inp_sections(const CellMaterials& materials, std::span<const SiteId> cells) {
+    const std::string cell_set = upper_case(kCellSet);
     std::string text;
     if (!materials.site_phase.empty()) append_phase_sets(text, materials, cells);
     for (const SiteId s : cells) {
         const bool turned = !materials.site_orientation.empty();
         if (turned) append_orientation(text, s, materials.site_orientation[s]);
         text += "*SOLID SECTION,ELSET=" + cell_set + std::to_string(s) + ",MATERIAL=" +
-                (materials.site_phase.empty() ? plane::kOneMaterial
+                (materials.site_phase.empty() ? kOneMaterial
                                               : materials.phase_names[materials.site_phase[s]]);
-        if (turned)
-            text += ",ORIENTATION=" + upper_case(plane::kOrientationSet) + std::to_string(s);
+        if (turned) text += ",ORIENTATION=" + upper_case(kOrientationSet) + std::to_string(s);
         text += "\n1.\n";
     }
     return text;
 }
 
-plane::ElasticConstants inp_standard_constants(const plane::CellMaterials& materials) {
+ElasticConstants inp_standard_constants(const CellMaterials& materials) {
     if (materials.site_orientation.empty()) return {{210000, 0.3}};
     return {{231400, 134700, 116400}};
 }
 
-std::string inp_elastic_job(const plane::CellMaterials& materials,
-                            const plane::ElasticChoices& choices, double period_area) {
-    const plane::ElasticConstants standard = inp_standard_constants(materials);
+std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices& choices,
+                            double period_area) {
+    const ElasticConstants standard = inp_standard_constants(materials);
     std::string text = !choices.materials.empty() ? kGiven
                        : standard.is_isotropic()  ? kIsotropic
                                                   : kCubic;
-    for (const plane::NamedConstants& material : chosen_materials(choices, materials, standard)) {
+    for (const NamedConstants& material : chosen_materials(choices, materials, standard)) {
         append_material(text, material);
     }
     if (materials.empty()) {
-        text += std::string("*SOLID SECTION,ELSET=EALL,MATERIAL=") + plane::kOneMaterial + "\n1.\n";
+        text += std::string("*SOLID SECTION,ELSET=EALL,MATERIAL=") + kOneMaterial + "\n1.\n";
     }
     text += "** The area of the period is ";
     append_number(text, period_area);

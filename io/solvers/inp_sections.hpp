@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
+#include "mesher/cells/elastic_choices.hpp"
 #include "mesher/plane/geometry/sites.hpp"
-#include "mesher/plane/materials/elastic_choices.hpp"
 
 namespace pcvt {
 
@@ -26,14 +26,14 @@ std::string inp_orbit_sets(std::span<const int> site_orbits, std::span<const Sit
 ///     text += inp_sections(materials, cells);
 ///
 /// @param cells  the sites that have a set CELL_s, rising.
-std::string inp_sections(const plane::CellMaterials& materials, std::span<const SiteId> cells);
+std::string inp_sections(const CellMaterials& materials, std::span<const SiteId> cells);
 
 /// The elastic constants of all materials of a job where the user gives none, in MPa:
 ///
 ///   without orientations  steel, isotropic: E = 210000, nu = 0.3
 ///   with orientations     iron, cubic: C11 = 231400, C12 = 134700, C44 = 116400, along the axes of
 ///                         each crystal
-plane::ElasticConstants inp_standard_constants(const plane::CellMaterials& materials);
+ElasticConstants inp_standard_constants(const CellMaterials& materials);
 
 /// Returns the materials and the steps with which the mesh of a tile becomes a job that CalculiX
 /// runs as it is: one *MATERIAL a phase, with the chosen constants or the standard ones.
@@ -49,7 +49,7 @@ plane::ElasticConstants inp_standard_constants(const plane::CellMaterials& mater
 /// @param materials    without phases and orientations: a section of all elements is added.
 /// @param period_area  by which the sum of S x volume is divided, also where the elements leave
 ///                     holes; a comment states it.
-std::string inp_elastic_job(const plane::CellMaterials& materials,
-                            const plane::ElasticChoices& choices, double period_area);
+std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices& choices,
+                            double period_area);
 
 }  // namespace pcvt

@@ -92,13 +92,13 @@ class InpText {
     }
 
    private:
-    plane::CellMaterials materials() const {
-        return options_.materials != nullptr ? *options_.materials : plane::CellMaterials{};
+    CellMaterials materials() const {
+        return options_.materials != nullptr ? *options_.materials : CellMaterials{};
     }
     int control(int k) const { return nodes_.n_nodes() + k; }
 
     /// Whether walls leave no seam, so that no node is tied.
-    bool is_box() const { return tile_.walls == plane::Walls::kXY; }
+    bool is_box() const { return tile_.walls == Walls::kXY; }
 
     void append_real(double value) {
         if (numbers_.append(text_, value)) return;
@@ -114,12 +114,12 @@ class InpText {
         text_ = options_.job != SolverJob::kNone ? kWithJob
                 : options_.materials != nullptr  ? kWithSections
                                                  : kMeshAlone;
-        if (tile_.walls != plane::Walls::kNone) {
+        if (tile_.walls != Walls::kNone) {
             const std::string_view what(kPeriodicTile);
             text_.replace(text_.find(what), what.size(), kBetweenWalls);
         }
         text_ += is_box() ? kBoxExplanation : kExplanation;
-        if (tile_.walls != plane::Walls::kNone) text_ += kWallSets;
+        if (tile_.walls != Walls::kNone) text_ += kWallSets;
         text_ += "** pcvt kind " + file_word(tile_.kind) + "\n** pcvt lattice";
         for (const double number : {a.x(), a.y(), b.x(), b.y()}) {
             text_ += ' ';
@@ -146,11 +146,11 @@ class InpText {
     }
 
     void append_nodes() {
-        text_ += "*NODE,NSET=" + upper_case(plane::kAllNodesSet) + "\n";
+        text_ += "*NODE,NSET=" + upper_case(kAllNodesSet) + "\n";
         for (int v = 0; v < nodes_.n_nodes(); ++v) append_node(v + 1, nodes_.points[v]);
         if (is_box()) return;
         for (const int k : {1, 2}) {
-            text_ += "*NODE,NSET=" + upper_case(plane::kControlSet) + std::to_string(k) + "\n";
+            text_ += "*NODE,NSET=" + upper_case(kControlSet) + std::to_string(k) + "\n";
             append_node(control(k), tile_.points[0]);
         }
     }
@@ -160,7 +160,7 @@ class InpText {
                                                      return row.element == options_.element;
                                                  })->word;
         text_ += tile_.order == 2 ? "6,ELSET=" : "3,ELSET=";
-        text_ += upper_case(plane::kAllElementsSet) + "\n";
+        text_ += upper_case(kAllElementsSet) + "\n";
         for (int f = 0; f < tile_.n_faces(); ++f) {
             append_number(text_, f + 1);
             for (const int v : element_nodes(tile_, nodes_, f)) {
@@ -184,7 +184,7 @@ class InpText {
         add_cells_without_triangles(elements);
         for (const auto& [cell, ids] : elements) {
             cell_sets_.push_back(cell);
-            text_ += "*ELSET,ELSET=" + upper_case(plane::kCellSet) + std::to_string(cell) + "\n";
+            text_ += "*ELSET,ELSET=" + upper_case(kCellSet) + std::to_string(cell) + "\n";
             append_ids(ids);
         }
     }
@@ -213,8 +213,8 @@ class InpText {
 
     void append_node_sets() {
         const CellContacts contacts = cell_contacts(tile_, nodes_, cells_);
-        append_node_set(upper_case(plane::kGrainBoundarySet), contacts.of_two_cells);
-        append_node_set(upper_case(plane::kTriplePointsSet), contacts.of_three_cells);
+        append_node_set(upper_case(kGrainBoundarySet), contacts.of_two_cells);
+        append_node_set(upper_case(kTriplePointsSet), contacts.of_three_cells);
         std::map<plane::Offset, std::set<int>> seams;
         std::map<plane::WallId, std::set<int>> walls;
         for (const SeamSegment& segment : seam_segments(tile_, nodes_.middles)) {
@@ -230,7 +230,7 @@ class InpText {
             for (const plane::VertexPair& pair : nodes_.pairs) ids.erase(pair.w);
             append_node_set(upper_case(wall_name(tile_, wall)), {ids.begin(), ids.end()});
         }
-        if (!is_box()) text_ += "*NSET,NSET=" + upper_case(plane::kFixedSet) + "\n1\n";
+        if (!is_box()) text_ += "*NSET,NSET=" + upper_case(kFixedSet) + "\n1\n";
     }
 
     /// Appends the sides of elements on each wall: side k of a triangle begins at its corner k.
@@ -250,7 +250,7 @@ class InpText {
         }
         for (const auto& [wall, lines] : sides) {
             text_ += "*SURFACE,NAME=" + upper_case(wall_name(tile_, wall)) +
-                     upper_case(plane::kSidesSuffix) + ",TYPE=ELEMENT\n" + lines;
+                     upper_case(kSidesSuffix) + ",TYPE=ELEMENT\n" + lines;
         }
     }
 

@@ -5,7 +5,7 @@
 
 #include "io/bytes/msh_text.hpp"
 #include "mesher/base/cancellable_sort.hpp"
-#include "mesher/plane/geometry/set_names.hpp"
+#include "mesher/cells/set_names.hpp"
 
 namespace pcvt {
 namespace {
@@ -70,7 +70,7 @@ void MshGroups::parse_names(MshRows& rows) {
         }
         name = name.substr(1, name.size() - 2);
         if (dimension < kMshCurves || dimension > kMshSurfaces) continue;
-        has_cells_ = has_cells_ || (dimension == kMshSurfaces && name.starts_with(plane::kCellSet));
+        has_cells_ = has_cells_ || (dimension == kMshSurfaces && name.starts_with(kCellSet));
         names_[dimension - 1][rows.integer(1)] = name;
     }
 }
@@ -105,7 +105,7 @@ std::optional<std::string> MshGroups::fault_of_cells(const NumberedItems& items,
         const NumberedItems::Triangle& triangle = items.triangles[f];
         const std::string& group = name_of(kMshSurfaces, surfaces[f]);
         const std::optional<SiteId> site = site_of(stated, triangle.number);
-        if (site && group == std::string(plane::kCellSet) + std::to_string(*site)) continue;
+        if (site && group == std::string(kCellSet) + std::to_string(*site)) continue;
         return std::to_string(triangle.line) + ": the triangle is in the physical group " +
                in_quotes(group) + ", but its cell_id is " +
                (site ? std::to_string(*site) : "missing");
@@ -118,7 +118,7 @@ std::optional<std::string> MshGroups::fault_of_boundary(const NumberedItems& ite
     const std::vector<TriangleSide> sides = sorted_sides(items);
     std::vector<std::pair<int, int>> boundary;
     for (const MshLine& line : lines) {
-        if (name_of(kMshCurves, line.curve) != plane::kGrainBoundarySet) continue;
+        if (name_of(kMshCurves, line.curve) != kGrainBoundarySet) continue;
         const auto [low, high] = std::minmax(line.from, line.to);
         boundary.emplace_back(low, high);
         const auto first =

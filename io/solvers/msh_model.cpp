@@ -3,7 +3,7 @@
 namespace pcvt {
 
 MshModel msh_model(const plane::Tile& tile, const SolverNodes& nodes,
-                   const plane::CellMaterials* materials) {
+                   const CellMaterials* materials) {
     MshModel model{.entities = msh_entities(tile, nodes),
                    .point_tag = std::vector<int>(tile.points.size(), 0)};
     if (materials != nullptr) {

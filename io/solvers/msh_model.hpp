@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/solvers/msh_entities.hpp"
-#include "mesher/plane/materials/cell_materials.hpp"
+#include "mesher/cells/cell_materials.hpp"
 
 namespace pcvt {
 
@@ -19,7 +19,7 @@ namespace pcvt {
 ///     for (const MshSurface& cell : model.entities.surfaces) list(cell, model.groups(cell));
 struct MshModel {
     /// Without phases: empty.
-    plane::CellMaterials materials = {};
+    CellMaterials materials = {};
     MshEntities entities;
     /// Of each vertex; 0 where there is no point.
     std::vector<int> point_tag;
@@ -50,6 +50,6 @@ struct MshModel {
 /// @param nodes      solver_nodes() of the tile.
 /// @param materials  null: no phases.
 MshModel msh_model(const plane::Tile& tile, const SolverNodes& nodes,
-                   const plane::CellMaterials* materials);
+                   const CellMaterials* materials);
 
 }  // namespace pcvt

@@ -44,15 +44,14 @@ void append_head(std::string& text, const plane::Tile& tile, const MshModel& mod
         append_msh_name(text, kMshCurves, group, wall_name(tile, wall));
     }
     if (model.has_boundary)
-        append_msh_name(text, kMshCurves, model.boundary_group,
-                        std::string(plane::kGrainBoundarySet));
+        append_msh_name(text, kMshCurves, model.boundary_group, std::string(kGrainBoundarySet));
     for (const MshSurface& cell : model.entities.surfaces) {
         append_msh_name(text, kMshSurfaces, cell.site + 1,
-                        std::string(plane::kCellSet) + std::to_string(cell.site));
+                        std::string(kCellSet) + std::to_string(cell.site));
     }
     for (const int phase : model.phases) {
         append_msh_name(text, kMshSurfaces, model.phase_group + phase,
-                        plane::phase_group(model.materials.phase_names[phase]));
+                        phase_group(model.materials.phase_names[phase]));
     }
     text += "$EndPhysicalNames\n";
 }
@@ -297,7 +296,7 @@ std::vector<MshValue> node_values(const MshModel& model, const std::vector<SiteI
 }  // namespace
 
 std::vector<EncodedFile> encode_msh(const plane::Tile& tile, const std::string& path,
-                                    const plane::CellMaterials* materials,
+                                    const CellMaterials* materials,
                                     std::span<const int> site_orbits) {
     require_triangles(tile.kind, path);
     require_finite(tile);

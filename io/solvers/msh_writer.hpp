@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/plane/materials/cell_materials.hpp"
+#include "mesher/cells/cell_materials.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
@@ -36,7 +36,7 @@ namespace pcvt {
 /// @throws InvalidInput   if the tile has polygons.
 /// @throws InternalError  if a coordinate is not finite.
 std::vector<EncodedFile> encode_msh(const plane::Tile& tile, const std::string& path,
-                                    const plane::CellMaterials* materials = nullptr,
+                                    const CellMaterials* materials = nullptr,
                                     std::span<const int> site_orbits = {});
 
 }  // namespace pcvt

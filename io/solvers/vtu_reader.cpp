@@ -10,7 +10,7 @@
 #include "io/tiles/file_tile_builder.hpp"
 #include "io/tiles/midside_nodes.hpp"
 #include "io/tiles/site_notes.hpp"
-#include "mesher/plane/materials/phase_fractions.hpp"
+#include "mesher/cells/phase_fractions.hpp"
 
 namespace pcvt {
 namespace {
@@ -229,11 +229,11 @@ class VtuTile {
     }
 
     void take_phases() {
-        plane::CellMaterials& materials = file_.materials;
+        CellMaterials& materials = file_.materials;
         const VtuArray& names = arrays_.get("FieldData/PhaseNames", -1, 1, true);
         materials.phase_names = strings(names);
         try {
-            plane::require_phase_names(materials.phase_names);
+            require_phase_names(materials.phase_names);
         } catch (const InvalidInput& fault) {
             throw_bad_file(names.line, fault.what());
         }

@@ -82,8 +82,7 @@ void append_holes(std::string& text, const plane::Tile& tile) {
     close_vtk_array(text);
 }
 
-void append_field_data(std::string& text, const plane::Tile& tile,
-                       const plane::CellMaterials& materials) {
+void append_field_data(std::string& text, const plane::Tile& tile, const CellMaterials& materials) {
     text += "<FieldData>\n";
     if (!materials.site_phase.empty()) {
         append_strings(text, "PhaseNames", materials.phase_names);
@@ -174,7 +173,7 @@ void append_numbers_of_sites(std::string& text, const char* name, std::vector<in
 }
 
 void append_cell_data(std::string& text, const plane::Tile& tile, std::span<const int> site_orbits,
-                      const plane::CellMaterials& materials) {
+                      const CellMaterials& materials) {
     const std::vector<int> cells = element_cells(tile);
     text += "<CellData>\n";
     append_vtk_integers(text, "Int32", "CellId", cells);
@@ -187,7 +186,7 @@ void append_cell_data(std::string& text, const plane::Tile& tile, std::span<cons
 
 std::vector<EncodedFile> encode_vtu(const plane::Tile& tile, const std::string& path,
                                     std::span<const int> site_orbits,
-                                    const plane::CellMaterials& materials) {
+                                    const CellMaterials& materials) {
     require_finite(tile);
     const SolverNodes nodes = solver_nodes(tile);
     std::string text =

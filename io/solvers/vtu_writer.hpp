@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/plane/materials/cell_materials.hpp"
+#include "mesher/cells/cell_materials.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
@@ -43,6 +43,6 @@ namespace pcvt {
 /// @throws InternalError if a coordinate is not finite.
 std::vector<EncodedFile> encode_vtu(const plane::Tile& tile, const std::string& path,
                                     std::span<const int> site_orbits = {},
-                                    const plane::CellMaterials& materials = {});
+                                    const CellMaterials& materials = {});
 
 }  // namespace pcvt

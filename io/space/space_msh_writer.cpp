@@ -6,7 +6,7 @@
 
 #include "io/bytes/msh_text.hpp"
 #include "io/space/seam_entities.hpp"
-#include "mesher/plane/geometry/set_names.hpp"
+#include "mesher/cells/set_names.hpp"
 #include "mesher/space/mesh/polyhedral_mesh.hpp"
 
 namespace pcvt {
@@ -52,7 +52,7 @@ class MshText {
         for (int k = 0; k < count(entities_.surfaces); ++k) {
             append_msh_name(text_, kSurfaces, k + 1, seam_name(entities_.surfaces[k].offset));
         }
-        append_msh_name(text_, kVolumes, domain_group(), std::string(plane::kDomainSet));
+        append_msh_name(text_, kVolumes, domain_group(), std::string(kDomainSet));
         text_ += "$EndPhysicalNames\n";
     }
 

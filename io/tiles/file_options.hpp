@@ -7,8 +7,8 @@
 #include "io/colours/colouring.hpp"
 #include "io/tiles/plane_element.hpp"
 #include "io/tiles/solver_job.hpp"
-#include "mesher/plane/materials/cell_materials.hpp"
-#include "mesher/plane/materials/elastic_choices.hpp"
+#include "mesher/cells/cell_materials.hpp"
+#include "mesher/cells/elastic_choices.hpp"
 #include "mesher/plane/voxels/voxel_grid.hpp"
 
 namespace pcvt {
@@ -33,7 +33,7 @@ struct FileOptions {
     /// Of graded meshes: the densities at sites 0 to n - 1 of one period; else empty.
     std::span<const double> site_densities = {};
     /// Phases and orientations of the cells, which must outlive the options; null: none.
-    const plane::CellMaterials* materials = nullptr;
+    const CellMaterials* materials = nullptr;
     /// Of runs with a symmetry: the orbit of sites 0 to n - 1 of one period; else empty.
     std::span<const int> site_orbits = {};
     SiteQuantities quantities() const { return {site_densities, materials, site_orbits}; }
@@ -58,7 +58,7 @@ struct FileOptions {
     /// Inputs of solvers that can hold more than the mesh.
     SolverJob job = SolverJob::kNone;
     /// Inputs of solvers that hold elastic constants.
-    plane::ElasticChoices elastic = {};
+    ElasticChoices elastic = {};
     /// Of one layer of prisms, length units; 0: the mean distance of the cells.
     double thickness = 0;
 };

@@ -211,7 +211,7 @@ TileFile finish(FileTileBuilder file, const std::optional<plane::Lattice>& latti
                      .vertex_pairs = std::move(file.vertex_pairs),
                      .edge_pairs = std::move(file.edge_pairs),
                      .order = file.order};
-    plane::CellMaterials materials = std::move(file.materials);
+    CellMaterials materials = std::move(file.materials);
     std::vector<int> site_orbits = std::move(file.site_orbits);
     const bool states_all_orbits = file.states_all_orbits;
     const std::string name = file.name;

@@ -46,7 +46,7 @@ struct FileTileBuilder {
     std::vector<plane::EdgePair> edge_pairs = {};
     /// As Tile::order; the nodes in the middle of edges are not among the points.
     int order = 1;
-    plane::CellMaterials materials = {};
+    CellMaterials materials = {};
     /// As TileFile::site_orbits.
     std::vector<int> site_orbits = {};
     /// Whether comments state them, which have those of sites without elements, too.

@@ -5,26 +5,26 @@
 
 #include "io/tiles/site_orbits.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/plane/materials/phase_fractions.hpp"
+#include "mesher/cells/phase_fractions.hpp"
 
 namespace pcvt {
 namespace {
 
 void take_names(const LineScanner& scanner, std::span<const std::string_view> words,
-                plane::CellMaterials& materials) {
+                CellMaterials& materials) {
     if (words.empty() || !materials.phase_names.empty()) {
         scanner.throw_bad_file("the phases are unclear; name them once");
     }
     for (const std::string_view word : words) materials.phase_names.emplace_back(word);
     try {
-        plane::require_phase_names(materials.phase_names);
+        require_phase_names(materials.phase_names);
     } catch (const InvalidInput& fault) {
         scanner.throw_bad_file(fault.what());
     }
 }
 
 void take_site_phases(const LineScanner& scanner, std::span<const std::string_view> words,
-                      plane::CellMaterials& materials) {
+                      CellMaterials& materials) {
     const int n_phases = static_cast<int>(materials.phase_names.size());
     for (const std::string_view word : words) {
         const int phase = scanner.integer(word);
@@ -37,12 +37,12 @@ void take_site_phases(const LineScanner& scanner, std::span<const std::string_vi
 }
 
 void take_angles(const LineScanner& scanner, std::span<const std::string_view> words,
-                 plane::CellMaterials& materials) {
+                 CellMaterials& materials) {
     if (words.size() != 3) {
         scanner.throw_bad_file("an orientation has 3 angles; write phi1, Phi and phi2");
     }
-    const plane::BungeAngles angles{scanner.number(words[0]), scanner.number(words[1]),
-                                    scanner.number(words[2])};
+    const BungeAngles angles{scanner.number(words[0]), scanner.number(words[1]),
+                             scanner.number(words[2])};
     try {
         materials.site_orientation.push_back(checked_angles(angles));
     } catch (const InvalidInput& fault) {
@@ -59,8 +59,7 @@ void require_count(const std::string& name, std::size_t found, std::int64_t n_si
 
 }  // namespace
 
-void append_materials(std::string& text, std::string_view mark,
-                      const plane::CellMaterials& materials) {
+void append_materials(std::string& text, std::string_view mark, const CellMaterials& materials) {
     const auto begin = [&](const char* key) { text.append(mark).append(key); };
     if (!materials.phase_names.empty()) {
         begin("phases");
@@ -73,7 +72,7 @@ void append_materials(std::string& text, std::string_view mark,
         append_number(text, materials.site_phase[s]);
         if ((s + 1) % kSitesALine == 0 || s + 1 == materials.site_phase.size()) text += '\n';
     }
-    for (const plane::BungeAngles& angles : materials.site_orientation) {
+    for (const BungeAngles& angles : materials.site_orientation) {
         begin("angles");
         for (const double angle : {angles.phi1, angles.Phi, angles.phi2}) {
             text += ' ';
@@ -84,7 +83,7 @@ void append_materials(std::string& text, std::string_view mark,
 }
 
 bool take_material(const LineScanner& scanner, std::string_view key,
-                   std::span<const std::string_view> words, plane::CellMaterials& materials) {
+                   std::span<const std::string_view> words, CellMaterials& materials) {
     if (key == "phases") {
         take_names(scanner, words, materials);
     } else if (key == "site_phases") {
@@ -97,7 +96,7 @@ bool take_material(const LineScanner& scanner, std::string_view key,
     return true;
 }
 
-void require_materials(const std::string& name, const plane::CellMaterials& materials,
+void require_materials(const std::string& name, const CellMaterials& materials,
                        std::int64_t n_sites) {
     if (!materials.phase_names.empty() && materials.site_phase.empty()) {
         throw BadFile(name + ": there are phases, but no site has one; give both or none");
@@ -106,16 +105,14 @@ void require_materials(const std::string& name, const plane::CellMaterials& mate
     require_count(name, materials.site_orientation.size(), n_sites, "orientations");
 }
 
-plane::CellMaterials shown_phases(const plane::Tile& tile,
-                                  const std::vector<std::string>& materials) {
-    const std::string prefix = plane::phase_group("");
+CellMaterials shown_phases(const plane::Tile& tile, const std::vector<std::string>& materials) {
+    const std::string prefix = phase_group("");
     if (tile.face_site.empty() || materials.size() != tile.face_site.size()) return {};
     // An id of a site is at most the number of faces, so that a wrong one takes no memory.
     const SiteId last = *std::max_element(tile.face_site.begin(), tile.face_site.end());
     const SiteId first = *std::min_element(tile.face_site.begin(), tile.face_site.end());
     if (first < 0 || last >= tile.n_faces()) return {};
-    plane::CellMaterials shown{.site_phase =
-                                   std::vector<int>(static_cast<std::size_t>(last) + 1, -1)};
+    CellMaterials shown{.site_phase = std::vector<int>(static_cast<std::size_t>(last) + 1, -1)};
     for (std::size_t f = 0; f < materials.size(); ++f) {
         if (!materials[f].starts_with(prefix)) return {};
         const std::string name = materials[f].substr(prefix.size());
@@ -129,8 +126,7 @@ plane::CellMaterials shown_phases(const plane::Tile& tile,
         of_site = phase;
     }
     const auto& phases = shown.site_phase;
-    return std::find(phases.begin(), phases.end(), -1) == phases.end() ? shown
-                                                                       : plane::CellMaterials{};
+    return std::find(phases.begin(), phases.end(), -1) == phases.end() ? shown : CellMaterials{};
 }
 
 }  // namespace pcvt

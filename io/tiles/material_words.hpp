@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/bytes/text.hpp"
-#include "mesher/plane/materials/cell_materials.hpp"
+#include "mesher/cells/cell_materials.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
@@ -21,17 +21,16 @@ namespace pcvt {
 /// Example usage:
 ///     append_materials(text, "** pcvt ", materials);
 ///     if (take_material(scanner, words[2], values, file.materials)) return;
-void append_materials(std::string& text, std::string_view mark,
-                      const plane::CellMaterials& materials);
+void append_materials(std::string& text, std::string_view mark, const CellMaterials& materials);
 
 /// Reads the words after a key; returns whether the key is one of those above.
 /// @throws BadFile if they are malformed.
 bool take_material(const LineScanner& scanner, std::string_view key,
-                   std::span<const std::string_view> words, plane::CellMaterials& materials);
+                   std::span<const std::string_view> words, CellMaterials& materials);
 
 /// Requires one phase, and one orientation, for each of the sites, where there are any.
 /// @param name  of the file, for the message of BadFile.
-void require_materials(const std::string& name, const plane::CellMaterials& materials,
+void require_materials(const std::string& name, const CellMaterials& materials,
                        std::int64_t n_sites);
 
 /// Returns the phases of the cells of sites 0 ... n - 1 that the names of materials show,
@@ -43,7 +42,6 @@ void require_materials(const std::string& name, const plane::CellMaterials& mate
 /// @param materials  the name of the material of each face.
 /// @returns  without phases where a material has another name, a site has no face, or two faces of
 ///           a site have different materials.
-plane::CellMaterials shown_phases(const plane::Tile& tile,
-                                  const std::vector<std::string>& materials);
+CellMaterials shown_phases(const plane::Tile& tile, const std::vector<std::string>& materials);
 
 }  // namespace pcvt

@@ -95,13 +95,13 @@ void require_middle_positions(const FileTileBuilder& file, const std::vector<Mid
 /// Whether both ends of an edge lie on one wall.
 bool is_on_wall(const FileTileBuilder& file, const MidsideNode& edge, const plane::Lattice& lattice,
                 double tolerance) {
-    const auto is_on = [&](const plane::WallSideRow& row) {
+    const auto is_on = [&](const WallSideRow& row) {
         if (!has_walls_across(file.notes.walls, row.axis)) return false;
         const double line = wall_line(row.side, lattice);
         return std::abs(file.points[edge.low][row.axis] - line) <= tolerance &&
                std::abs(file.points[edge.high][row.axis] - line) <= tolerance;
     };
-    return std::any_of(plane::kWallSides.begin(), plane::kWallSides.end(), is_on);
+    return std::any_of(kWallSides.begin(), kWallSides.end(), is_on);
 }
 
 /// The ends of the edges of holes, the lower one first; corners precede other nodes in files of

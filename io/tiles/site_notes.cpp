@@ -60,7 +60,7 @@ std::vector<double> walls(const plane::Tile& tile) {
 }
 
 void take_walls(std::span<const double> numbers, SiteNotes& notes) {
-    const plane::WallsRow* const row = plane::walls_of_numbers(numbers[0], numbers[1]);
+    const WallsRow* const row = walls_of_numbers(numbers[0], numbers[1]);
     if (row == nullptr) throw InvalidInput("the walls across x and across y are not 0 or 1");
     notes.walls = row->walls;
 }

@@ -25,7 +25,7 @@ struct SiteNotes {
     int rows = 0;
     double short_edges = 1;
     plane::Metric metric = {};
-    plane::Walls walls = plane::Walls::kNone;
+    Walls walls = Walls::kNone;
     /// Tile::site_positions and Tile::site_weights.
     std::vector<plane::Vec2> positions = {};
     std::vector<double> weights = {};

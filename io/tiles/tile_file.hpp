@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/bytes/bad_file.hpp"
-#include "mesher/plane/materials/cell_materials.hpp"
+#include "mesher/cells/cell_materials.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
@@ -31,9 +31,9 @@ struct TileFile {
     /// The file states its lattice, as pcvt writes it; then all of its fields follow from the tile.
     bool states_lattice = false;
     /// Of the sites of one period; empty where the file states none.
-    plane::CellMaterials materials = {};
+    CellMaterials materials = {};
     /// The phases that the names of materials show, of a file that states none; may be empty.
-    plane::CellMaterials shown = {};
+    CellMaterials shown = {};
     /// The orbit of each site of one period under the symmetry of the run, -1 for a site that has
     /// no element; empty where the file states none.
     std::vector<int> site_orbits = {};

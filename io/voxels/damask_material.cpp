@@ -53,7 +53,7 @@ void append_real(std::string& text, double value) {
 }
 
 /// Appends the elastic law of a phase; that of aluminium without constants.
-void append_law(std::string& text, const plane::ElasticConstants& constants) {
+void append_law(std::string& text, const ElasticConstants& constants) {
     const bool is_given = !constants.numbers.empty();
     const bool is_hexagonal = is_given && !constants.is_isotropic() && !constants.is_cubic();
     text += is_hexagonal ? kHexagonalLattice : kCubicLattice;
@@ -61,7 +61,7 @@ void append_law(std::string& text, const plane::ElasticConstants& constants) {
     if (!is_given) {
         text += kAluminium;
     } else {
-        const plane::Stiffness c = stiffness_of(constants);
+        const Stiffness c = stiffness_of(constants);
         const auto append = [&text](const char* key, double value) {
             text += key;
             append_real(text, value);
@@ -77,12 +77,12 @@ void append_law(std::string& text, const plane::ElasticConstants& constants) {
     text += "}\n";
 }
 
-std::string phase_of(const plane::CellMaterials& materials, int cell) {
+std::string phase_of(const CellMaterials& materials, int cell) {
     if (materials.site_phase.empty()) return kOnlyPhase;
     return materials.phase_names[materials.site_phase[cell]];
 }
 
-Quaternion orientation_of(const plane::CellMaterials& materials, int cell) {
+Quaternion orientation_of(const CellMaterials& materials, int cell) {
     if (materials.site_orientation.empty()) return {1, 0, 0, 0};
     return damask_quaternion(materials.site_orientation[cell]);
 }
@@ -225,7 +225,7 @@ class MaterialReader {
 
 }  // namespace
 
-Quaternion damask_quaternion(const plane::BungeAngles& angles) {
+Quaternion damask_quaternion(const BungeAngles& angles) {
     const CosSin sigma = cos_sin_of_degrees((angles.phi1 + angles.phi2) / 2);
     const CosSin delta = cos_sin_of_degrees((angles.phi1 - angles.phi2) / 2);
     const auto [c, s] = cos_sin_of_degrees(angles.Phi / 2);
@@ -235,12 +235,12 @@ Quaternion damask_quaternion(const plane::BungeAngles& angles) {
     return q;
 }
 
-std::string encode_damask_material(int n_cells, const plane::CellMaterials& materials,
-                                   const plane::ElasticChoices& choices) {
+std::string encode_damask_material(int n_cells, const CellMaterials& materials,
+                                   const ElasticChoices& choices) {
     const bool are_given = !choices.materials.empty();
     std::string text = std::string(kHead) + (are_given ? kGiven : kStandard) + kHomogenizations;
     const bool one_phase = materials.site_phase.empty();
-    for (const plane::NamedConstants& phase : chosen_materials(choices, materials, {})) {
+    for (const NamedConstants& phase : chosen_materials(choices, materials, {})) {
         text += "  " + (one_phase ? std::string(kOnlyPhase) : phase.name) + ":\n";
         append_law(text, phase.constants);
     }
@@ -266,7 +266,7 @@ std::vector<DamaskEntry> decode_damask_material(const std::string& name, std::st
 }
 
 void compare_damask_material(const std::string& name, const std::vector<DamaskEntry>& entries,
-                             int n_cells, const plane::CellMaterials& materials) {
+                             int n_cells, const CellMaterials& materials) {
     if (static_cast<int>(entries.size()) != n_cells) {
         throw BadFile(name + ": has " + std::to_string(entries.size()) +
                       " materials, but there are " + std::to_string(n_cells) +

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mesher/plane/materials/elastic_choices.hpp"
+#include "mesher/cells/elastic_choices.hpp"
 
 namespace pcvt {
 
@@ -30,7 +30,7 @@ inline constexpr const char* kOnlyPhase = "default";
 ///
 /// Law, tested by number:
 ///   (1) The rotation matrix of q is the transpose of Bunge's matrix, and |q| = 1.
-Quaternion damask_quaternion(const plane::BungeAngles& angles);
+Quaternion damask_quaternion(const BungeAngles& angles);
 
 /// Encodes the configuration of materials of DAMASK 3, which has one entry a cell. pcvt knows no
 /// material laws: each phase has the chosen elastic constants, or those of aluminium, for the user
@@ -41,8 +41,8 @@ Quaternion damask_quaternion(const plane::BungeAngles& angles);
 ///
 /// @param materials  without phases, all cells belong to kOnlyPhase; without orientations, their
 ///                   axes are those of the sample.
-std::string encode_damask_material(int n_cells, const plane::CellMaterials& materials,
-                                   const plane::ElasticChoices& choices = {});
+std::string encode_damask_material(int n_cells, const CellMaterials& materials,
+                                   const ElasticChoices& choices = {});
 
 /// The entries of a file as encode_damask_material() writes it; users may change its phases.
 /// @param name  the file's name in messages.
@@ -54,6 +54,6 @@ std::vector<DamaskEntry> decode_damask_material(const std::string& name, std::st
 /// Requires that the entries are those of the cells.
 /// @throws BadFile  naming the first cell that differs.
 void compare_damask_material(const std::string& name, const std::vector<DamaskEntry>& entries,
-                             int n_cells, const plane::CellMaterials& materials);
+                             int n_cells, const CellMaterials& materials);
 
 }  // namespace pcvt

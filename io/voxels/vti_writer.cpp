@@ -122,8 +122,8 @@ std::vector<std::string> vti_paths(const std::string& path) {
 }
 
 std::vector<EncodedFile> encode_vti(const plane::VoxelImage& image, const plane::VoxelCells& cells,
-                                    const plane::CellMaterials& materials,
-                                    const plane::ElasticChoices& elastic, const std::string& path) {
+                                    const CellMaterials& materials, const ElasticChoices& elastic,
+                                    const std::string& path) {
     const std::vector<std::string> paths = vti_paths(path);
     std::vector<EncodedFile> files = only_file(paths[0], encode_image(image, cells));
     files.push_back({paths[1], encode_damask_material(cells.n_cells(), materials, elastic)});

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "mesher/plane/materials/elastic_choices.hpp"
+#include "mesher/cells/elastic_choices.hpp"
 #include "mesher/plane/voxels/voxel_proof.hpp"
 
 namespace pcvt {
@@ -23,7 +23,7 @@ std::vector<std::string> vti_paths(const std::string& path);
 ///         outputs.stage(file.path, file.bytes);
 ///     }
 std::vector<EncodedFile> encode_vti(const plane::VoxelImage& image, const plane::VoxelCells& cells,
-                                    const plane::CellMaterials& materials,
-                                    const plane::ElasticChoices& elastic, const std::string& path);
+                                    const CellMaterials& materials, const ElasticChoices& elastic,
+                                    const std::string& path);
 
 }  // namespace pcvt

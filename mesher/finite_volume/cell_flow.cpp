@@ -96,7 +96,7 @@ class Dissipation {
     }
 
     void add_wall(const ExtrudedPatch& patch) {
-        const plane::WallSide side = patch.wall->side();
+        const WallSide side = patch.wall->side();
         const int axis = wall_side_row(side).axis;
         const double line = wall_line(side, extruded_.lattice);
         for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
@@ -136,8 +136,7 @@ CellFlow cell_flow(const DecayingFlow& flow, const plane::Tile& tile,
         cells.velocity.push_back(flow.velocity(p));
         cells.tracer.push_back(flow.stream(p) / flow.largest_stream());
     }
-    if (tile.walls == plane::Walls::kNone)
-        subtract_mean(shapes.areas, plane::Vec2(0, 0), cells.velocity);
+    if (tile.walls == Walls::kNone) subtract_mean(shapes.areas, plane::Vec2(0, 0), cells.velocity);
     subtract_mean(shapes.areas, 0.0, cells.tracer);
     // Compare the damping on the cells with the exact rate.
     cells.has_holes = !tile.holes.empty();

@@ -17,8 +17,8 @@ double square(double value) { return value * value; }
 
 }  // namespace
 
-DecayingFlow::DecayingFlow(const plane::Lattice& lattice, plane::Walls walls) {
-    if (walls == plane::Walls::kNone) {
+DecayingFlow::DecayingFlow(const plane::Lattice& lattice, Walls walls) {
+    if (walls == Walls::kNone) {
         choose_periodic(lattice);
     } else {
         choose_between(lattice, walls);
@@ -37,12 +37,12 @@ void DecayingFlow::choose_periodic(const plane::Lattice& lattice) {
     fastest_ = rectangular ? g1_.norm() : g2_.norm();
 }
 
-void DecayingFlow::choose_between(const plane::Lattice& domain, plane::Walls walls) {
+void DecayingFlow::choose_between(const plane::Lattice& domain, Walls walls) {
     g1_ = plane::Vec2(std::numbers::pi / side_length(domain, 0), 0);
     g2_ = plane::Vec2(0, std::numbers::pi / side_length(domain, 1));
-    shape_ = walls == plane::Walls::kXY ? Shape::kBox : Shape::kShear;
-    if (walls == plane::Walls::kX) g2_ = g1_;
-    if (walls == plane::Walls::kY) sign_ = -1;
+    shape_ = walls == Walls::kXY ? Shape::kBox : Shape::kShear;
+    if (walls == Walls::kX) g2_ = g1_;
+    if (walls == Walls::kY) sign_ = -1;
     fastest_ = shape_ == Shape::kBox ? std::max(g1_.norm(), g2_.norm()) : g2_.norm();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/plane/geometry/walls.hpp"
+#include "mesher/plane/geometry/walled_domain.hpp"
 
 namespace pcvt {
 
@@ -35,7 +35,7 @@ class DecayingFlow {
    public:
     /// @pre with walls, is_upright(lattice).
     /// @throws InvalidInput as reduce().
-    explicit DecayingFlow(const plane::Lattice& lattice, plane::Walls walls = plane::Walls::kNone);
+    explicit DecayingFlow(const plane::Lattice& lattice, Walls walls = Walls::kNone);
 
     plane::Vec2 velocity(const plane::Vec2& p) const;
     /// Returns psi(p), length^2 / second.
@@ -55,7 +55,7 @@ class DecayingFlow {
     enum class Shape { kVortices, kShear, kBox };
 
     void choose_periodic(const plane::Lattice& lattice);
-    void choose_between(const plane::Lattice& domain, plane::Walls walls);
+    void choose_between(const plane::Lattice& domain, Walls walls);
 
     plane::Vec2 g1_;
     plane::Vec2 g2_;

@@ -135,8 +135,8 @@ std::vector<int> lids(const ExtrudedMesh& extruded, const ExtrudedPatch& patch) 
 void read_faces(const ExtrudedMesh& extruded, plane::Tile& tile) {
     const int above = extruded.n_points() / 2;
     // Find the two lids of each cell.
-    const std::vector<int> back = lids(extruded, patch_named(extruded, plane::kBackPatch));
-    const std::vector<int> front = lids(extruded, patch_named(extruded, plane::kFrontPatch));
+    const std::vector<int> back = lids(extruded, patch_named(extruded, kBackPatch));
+    const std::vector<int> front = lids(extruded, patch_named(extruded, kFrontPatch));
     const int n_cells = *std::max_element(extruded.owner.begin(), extruded.owner.end()) + 1;
     if (back.size() != front.size() || static_cast<int>(back.size()) != n_cells) {
         throw_violation(kOrder, "back and front have " + to_string(back.size()) + " and " +
@@ -271,7 +271,7 @@ void read_wall(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, plane::
         read_hole(extruded, patch, tile);
         return;
     }
-    const plane::WallSideRow& row = wall_side_row(patch.wall->side());
+    const WallSideRow& row = wall_side_row(patch.wall->side());
     if (patch.name != row.word || patch.partner >= 0) {
         throw_violation(kWallPatches, "patch " + patch.name + " is not the wall " + row.word);
     }
@@ -290,18 +290,16 @@ void read_wall(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, plane::
 }
 
 /// Returns the walls on which edges lie, and sorts these.
-plane::Walls walls_of(plane::Tile& tile) {
+Walls walls_of(plane::Tile& tile) {
     std::sort(tile.wall_edges.begin(), tile.wall_edges.end());
-    std::array<bool, plane::kWallSides.size()> found{};
+    std::array<bool, kWallSides.size()> found{};
     for (const plane::WallEdge& edge : tile.wall_edges) {
         if (!edge.wall.is_hole()) found[static_cast<std::size_t>(edge.wall.number)] = true;
     }
-    for (const plane::WallsRow& row : plane::kWalls) {
-        if (std::all_of(plane::kWallSides.begin(), plane::kWallSides.end(),
-                        [&](const plane::WallSideRow& side) {
-                            return found[static_cast<std::size_t>(side.side)] ==
-                                   row.across[side.axis];
-                        })) {
+    for (const WallsRow& row : kWalls) {
+        if (std::all_of(kWallSides.begin(), kWallSides.end(), [&](const WallSideRow& side) {
+                return found[static_cast<std::size_t>(side.side)] == row.across[side.axis];
+            })) {
             return row.walls;
         }
     }

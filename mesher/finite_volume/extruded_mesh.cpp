@@ -193,13 +193,12 @@ ExtrudedMesh extruded_mesh(const plane::Tile& tile, double thickness) {
     add_seams(tile, sides, extruded);
     add_walls(tile, sides, extruded);
     for (const bool front : {false, true}) {
-        extruded.patches.push_back(
-            {.name = std::string(front ? plane::kFrontPatch : plane::kBackPatch),
-             .first_face = extruded.n_faces(),
-             .n_faces = tile.n_faces(),
-             .partner = -1,
-             .offset = {},
-             .separation = plane::Vec2(0, 0)});
+        extruded.patches.push_back({.name = std::string(front ? kFrontPatch : kBackPatch),
+                                    .first_face = extruded.n_faces(),
+                                    .n_faces = tile.n_faces(),
+                                    .partner = -1,
+                                    .offset = {},
+                                    .separation = plane::Vec2(0, 0)});
         faces.add_lids(tile, front);
     }
     return extruded;

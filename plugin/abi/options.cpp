@@ -44,16 +44,16 @@ static_assert(find_word(plane::kPlaneGroups, "p3m1")->abi_value == PCVT_SYMMETRY
 static_assert(find_word(plane::kPlaneGroups, "p31m")->abi_value == PCVT_SYMMETRY_P31M);
 static_assert(find_word(plane::kPlaneGroups, "p6")->abi_value == PCVT_SYMMETRY_P6);
 static_assert(find_word(plane::kPlaneGroups, "p6m")->abi_value == PCVT_SYMMETRY_P6M);
-static_assert(walls_row(plane::Walls::kNone).abi_value == PCVT_WALLS_NONE);
-static_assert(walls_row(plane::Walls::kX).abi_value == PCVT_WALLS_X);
-static_assert(walls_row(plane::Walls::kY).abi_value == PCVT_WALLS_Y);
-static_assert(walls_row(plane::Walls::kXY).abi_value == PCVT_WALLS_XY);
-static_assert(wall_cells_row(plane::WallCells::kWhole).abi_value == PCVT_WALL_CELLS_WHOLE);
-static_assert(wall_cells_row(plane::WallCells::kHalf).abi_value == PCVT_WALL_CELLS_HALF);
-static_assert(plane::WallId::side(plane::WallSide::kLeft).number == PCVT_WALL_LEFT);
-static_assert(plane::WallId::side(plane::WallSide::kRight).number == PCVT_WALL_RIGHT);
-static_assert(plane::WallId::side(plane::WallSide::kBottom).number == PCVT_WALL_BOTTOM);
-static_assert(plane::WallId::side(plane::WallSide::kTop).number == PCVT_WALL_TOP);
+static_assert(walls_row(Walls::kNone).abi_value == PCVT_WALLS_NONE);
+static_assert(walls_row(Walls::kX).abi_value == PCVT_WALLS_X);
+static_assert(walls_row(Walls::kY).abi_value == PCVT_WALLS_Y);
+static_assert(walls_row(Walls::kXY).abi_value == PCVT_WALLS_XY);
+static_assert(wall_cells_row(WallCells::kWhole).abi_value == PCVT_WALL_CELLS_WHOLE);
+static_assert(wall_cells_row(WallCells::kHalf).abi_value == PCVT_WALL_CELLS_HALF);
+static_assert(plane::WallId::side(WallSide::kLeft).number == PCVT_WALL_LEFT);
+static_assert(plane::WallId::side(WallSide::kRight).number == PCVT_WALL_RIGHT);
+static_assert(plane::WallId::side(WallSide::kBottom).number == PCVT_WALL_BOTTOM);
+static_assert(plane::WallId::side(WallSide::kTop).number == PCVT_WALL_TOP);
 static_assert(plane::WallId::hole(0).number == PCVT_WALL_HOLE);
 
 static_assert(find_abi_value(kDuplicates, PCVT_DUPLICATES_REFUSE)->duplicates ==
@@ -109,8 +109,7 @@ std::optional<WishedAreas> wished_areas(const pcvt_options& options) {
         throw InvalidInput("areas and area_law exclude each other; leave one out");
     }
     if (options.area_law != nullptr) {
-        return WishedAreas{.law = plane::parse_area_law(options.area_law),
-                           .name = options.area_law};
+        return WishedAreas{.law = parse_area_law(options.area_law), .name = options.area_law};
     }
     if (options.areas == nullptr) {
         if (options.n_areas == 0) return std::nullopt;
@@ -130,9 +129,9 @@ std::optional<Aspect> aspect(const pcvt_options& options) {
     return Aspect{.ratio = options.aspect, .degrees = options.aspect_degrees};
 }
 
-plane::MaterialChoices materials(const pcvt_options& options) {
-    plane::MaterialChoices choices;
-    if (options.phases != nullptr) choices.phases = plane::parse_phases(options.phases);
+MaterialChoices materials(const pcvt_options& options) {
+    MaterialChoices choices;
+    if (options.phases != nullptr) choices.phases = parse_phases(options.phases);
     if (options.random_orientations != 0 && options.random_orientations != 1) {
         throw InvalidInput("random_orientations is neither 0 nor 1");
     }
@@ -151,7 +150,7 @@ plane::MaterialChoices materials(const pcvt_options& options) {
     }
     for (std::int32_t s = 0; s < options.n_sites; ++s) {
         const double* const angles = options.orientations + 3 * std::ptrdiff_t{s};
-        choices.orientations.push_back(plane::checked_angles({angles[0], angles[1], angles[2]}));
+        choices.orientations.push_back(checked_angles({angles[0], angles[1], angles[2]}));
     }
     return choices;
 }
@@ -286,7 +285,7 @@ FileOptions file_options(const pcvt_write_options& options) {
     }
     if (options.materials != nullptr) {
         try {
-            result.elastic = plane::parse_elastic_choices(options.materials);
+            result.elastic = parse_elastic_choices(options.materials);
         } catch (const InvalidInput& error) {
             throw InvalidInput(std::string("materials: ") + error.what());
         }
@@ -324,8 +323,8 @@ Job make_job(const pcvt_options& options) {
     job.areas = wished_areas(options);
     job.aspect = aspect(options);
     job.symmetry = symmetry(options.symmetry);
-    job.walls = chosen_row("walls", options.walls, plane::kWalls).walls;
-    job.wall_cells = chosen_row("wall_cells", options.wall_cells, plane::kWallCells).cells;
+    job.walls = chosen_row("walls", options.walls, kWalls).walls;
+    job.wall_cells = chosen_row("wall_cells", options.wall_cells, kWallCells).cells;
     job.materials = materials(options);
     job.fixed = fixed_sites(options);
     if (options.inclusions != nullptr) {

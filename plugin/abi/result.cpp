@@ -159,14 +159,14 @@ pcvt_sites Result::sites() const {
     view.n_sites = static_cast<std::int32_t>(sites_.cols());
     const Eigen::VectorXd& weights = computed_.cells.delaunay.weights();
     view.weights = weights.size() == 0 ? nullptr : weights.data();
-    const plane::CellMaterials& materials = computed_.materials;
+    const CellMaterials& materials = computed_.materials;
     if (!materials.site_phase.empty()) view.phases = numbers(materials.site_phase);
     if (!phase_names_.empty()) view.phase_names = phase_names_.data();
     view.n_phases = static_cast<std::int32_t>(phase_names_.size());
     view.n_orbits = computed_.cells.n_orbits();
     view.orbits = numbers(computed_.cells.site_orbits);
     // Three doubles each, without padding.
-    static_assert(sizeof(plane::BungeAngles) == 3 * sizeof(double));
+    static_assert(sizeof(BungeAngles) == 3 * sizeof(double));
     if (!materials.site_orientation.empty()) {
         view.orientations = &materials.site_orientation.front().phi1;
     }

@@ -11,7 +11,7 @@
 #include "io/run_files/density_image.hpp"
 #include "io/run_files/inclusion_reader.hpp"
 #include "io/run_files/site_reader.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
+#include "mesher/cells/target_areas.hpp"
 #include "plugin/cli/help_command.hpp"
 #include "plugin/cli/options/option_values.hpp"
 #include "plugin/job/job_density.hpp"
@@ -42,9 +42,9 @@ void read_density(const CLI::App& app, const CellOptions& options, Job& job) {
 
 /// A law, or the name of a file.
 WishedAreas wished_areas(const std::string& text) {
-    if (plane::names_area_law(text)) {
+    if (names_area_law(text)) {
         try {
-            return {.law = plane::parse_area_law(text), .name = text};
+            return {.law = parse_area_law(text), .name = text};
         } catch (const InvalidInput& error) {
             throw InvalidInput("--areas " + std::string(error.what()));
         }
@@ -121,14 +121,13 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
     if (app.count("--aspect") > 0) job.aspect = read_aspect(options.aspect);
     if (app.count("--areas") > 0) {
         job.areas = wished_areas(options.areas);
-        if (!plane::names_area_law(options.areas)) job.inputs.push_back(options.areas);
+        if (!names_area_law(options.areas)) job.inputs.push_back(options.areas);
     }
     if (app.count("--walls") > 0) {
-        job.walls =
-            chosen_row("--walls", options.walls, std::span(plane::kWalls).subspan<1>()).walls;
+        job.walls = chosen_row("--walls", options.walls, std::span(kWalls).subspan<1>()).walls;
     }
     if (app.count("--wall-cells") > 0) {
-        job.wall_cells = chosen_row("--wall-cells", options.wall_cells, plane::kWallCells).cells;
+        job.wall_cells = chosen_row("--wall-cells", options.wall_cells, kWallCells).cells;
     }
     if (app.count("--fixed") > 0) {
         SiteFile file = read_sites<2>(options.fixed);
@@ -154,7 +153,7 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
 plane::Lattice automatic_period(const CellOptions& options) {
     double width = 1;
     double height = 1;
-    if (!options.areas.empty() && !plane::names_area_law(options.areas)) {
+    if (!options.areas.empty() && !names_area_law(options.areas)) {
         width = height = std::sqrt(read_areas(options.areas).areas.sum());
     } else if (names_picture(options.density)) {
         height = png_height_over_width(options.density);
@@ -171,7 +170,7 @@ plane::Lattice automatic_period(const CellOptions& options) {
 }
 
 void read_area_file(Job& job) {
-    if (!job.areas || plane::names_area_law(job.areas->name)) return;
+    if (!job.areas || names_area_law(job.areas->name)) return;
     const AreaFile file = read_areas(job.areas->name);
     require_areas(file, job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites);
     job.areas->given = file.areas;

@@ -8,7 +8,7 @@
 
 #include "io/bytes/text.hpp"
 #include "io/tile_formats.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
+#include "mesher/cells/target_areas.hpp"
 #include "plugin/cli/cell_options.hpp"
 #include "plugin/cli/check_proof.hpp"
 #include "plugin/cli/exit_code.hpp"
@@ -52,7 +52,7 @@ void read_density(const CLI::App& app, const CheckOptions& options, Question& qu
 /// The file of areas is read once for all files.
 void read_areas_option(const CLI::App& app, const CheckOptions& options, Question& question) {
     if (app.count("--areas") == 0) return;
-    if (plane::names_area_law(options.areas)) {
+    if (names_area_law(options.areas)) {
         throw InvalidInput(
             "--areas of check takes a file with one area a site; a law draws other "
             "areas for each seed");

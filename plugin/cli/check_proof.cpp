@@ -93,19 +93,19 @@ std::string prove_cvt(const TileFile& file, const plane::TileProof& proof,
 }
 
 /// A tile with these walls, as lines of proof and refutation name it.
-std::string content_of(plane::Walls walls) {
-    if (walls == plane::Walls::kNone) return "a periodic tile";
-    return walls == plane::Walls::kXY ? "a box with four walls" : "a channel";
+std::string content_of(Walls walls) {
+    if (walls == Walls::kNone) return "a periodic tile";
+    return walls == Walls::kXY ? "a box with four walls" : "a channel";
 }
 
 /// The same with the direction of a channel and its walls.
-std::string described(plane::Walls walls) {
-    if (walls == plane::Walls::kNone || walls == plane::Walls::kXY) return content_of(walls) + ": ";
-    const bool across_x = walls == plane::Walls::kX;
-    const auto word = [](plane::WallSide side) { return std::string(wall_side_row(side).word); };
+std::string described(Walls walls) {
+    if (walls == Walls::kNone || walls == Walls::kXY) return content_of(walls) + ": ";
+    const bool across_x = walls == Walls::kX;
+    const auto word = [](WallSide side) { return std::string(wall_side_row(side).word); };
     return content_of(walls) + ": periodic along " + (across_x ? "y" : "x") + ", walls " +
-           word(across_x ? plane::WallSide::kLeft : plane::WallSide::kBottom) + " and " +
-           word(across_x ? plane::WallSide::kRight : plane::WallSide::kTop) + ", ";
+           word(across_x ? WallSide::kLeft : WallSide::kBottom) + " and " +
+           word(across_x ? WallSide::kRight : WallSide::kTop) + ", ";
 }
 
 /// What the tile becomes when its seam is glued.
@@ -115,13 +115,13 @@ std::string glued_text(const plane::Tile& tile, const plane::TileProof& proof) {
                       [](const plane::WallEdge& edge) { return edge.wall.is_hole(); });
     const auto on_walls = static_cast<std::ptrdiff_t>(proof.wall_edges.size()) - on_holes;
     std::string text;
-    if (tile.walls != plane::Walls::kNone) text += std::to_string(on_walls) + " on walls, ";
+    if (tile.walls != Walls::kNone) text += std::to_string(on_walls) + " on walls, ";
     if (!tile.holes.empty()) text += std::to_string(on_holes) + " on holes, ";
     const char* const filling = tile.holes.empty() ? "" : " and filling";
     switch (tile.walls) {
-        case plane::Walls::kNone:
+        case Walls::kNone:
             return text + "genus 1 after gluing" + filling;
-        case plane::Walls::kXY:
+        case Walls::kXY:
             return text + "a disc" + (tile.holes.empty() ? "" : " after filling");
         default:
             return text + "an annulus after gluing" + filling;
@@ -305,7 +305,7 @@ std::string prove(const std::string& path, const Question& question) {
     }
     std::string content = format.reads_voxels() ? "a voxel image"
                           : format.reads_grid() ? "an MPAS mesh"
-                                                : content_of(plane::Walls::kNone);
+                                                : content_of(Walls::kNone);
     try {
         if (const auto* read = std::get_if<GridReader*>(&format.read)) {
             return prove_grid(*read, format, path, question);

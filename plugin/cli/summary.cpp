@@ -154,7 +154,7 @@ std::string hole_text(const Job& job, const RunSummary& summary) {
     std::string names;
     for (const std::string& hole : job.holes) names += (names.empty() ? "" : ", ") + hole;
     int n_outside = 0;
-    for (const plane::PhaseFigures& phase : summary.phases) {
+    for (const PhaseFigures& phase : summary.phases) {
         const bool is_hole =
             std::find(job.holes.begin(), job.holes.end(), phase.name) != job.holes.end();
         if (!is_hole) n_outside += phase.n_cells;
@@ -164,7 +164,7 @@ std::string hole_text(const Job& job, const RunSummary& summary) {
 
 std::string phase_lines(const RunSummary& summary) {
     std::string text;
-    for (const plane::PhaseFigures& phase : summary.phases) {
+    for (const PhaseFigures& phase : summary.phases) {
         text += summary_line("phase", phase.name + " " + figure(phase.reached) +
                                           " of the area in " + std::to_string(phase.n_cells) +
                                           " cells; wanted " + figure(phase.wanted));
@@ -172,12 +172,12 @@ std::string phase_lines(const RunSummary& summary) {
     return text;
 }
 
-std::string angle_text(const plane::AngleRange& angles) {
-    const auto range = [&](double plane::BungeAngles::*angle) {
+std::string angle_text(const AngleRange& angles) {
+    const auto range = [&](double BungeAngles::*angle) {
         return figure(angles.least.*angle) + " to " + figure(angles.greatest.*angle);
     };
-    return "phi1 " + range(&plane::BungeAngles::phi1) + ", Phi " + range(&plane::BungeAngles::Phi) +
-           ", phi2 " + range(&plane::BungeAngles::phi2) + " degrees";
+    return "phi1 " + range(&BungeAngles::phi1) + ", Phi " + range(&BungeAngles::Phi) + ", phi2 " +
+           range(&BungeAngles::phi2) + " degrees";
 }
 
 std::string material_lines(const Job& job, const RunSummary& summary) {
@@ -209,7 +209,7 @@ std::string constraint_lines(const Job& job, const RunSummary& summary) {
         text += summary_line("symmetry", std::string(plane_group_row(*job.symmetry).word) + ", " +
                                              std::to_string(summary.n_orbits) + " orbits");
     }
-    if (job.walls != plane::Walls::kNone) {
+    if (job.walls != Walls::kNone) {
         const std::string on_walls = std::to_string(summary.n_on_walls) + " sites on walls";
         text += summary_line("walls", std::string(walls_row(job.walls).word) + ", " +
                                           wall_cells_row(job.wall_cells).word + " cells" +

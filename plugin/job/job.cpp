@@ -7,7 +7,7 @@
 #include "io/outputs/recovery.hpp"
 #include "io/outputs/writable_paths.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/plane/mesh/cell_table.hpp"
+#include "mesher/plane/mesh/cell_measures.hpp"
 #include "mesher/plane/mesh/valence.hpp"
 #include "mesher/plane/symmetry/folded_density.hpp"
 #include "plugin/job/job_checks.hpp"
@@ -82,7 +82,7 @@ RunSummary summarize(const Job& job, const Computation& computation,
     if (cells.walled) summary.n_on_walls = cells.walled->n_on_walls;
     summary.interfaces = cells.interfaces;
     summary.phases = computation.phases;
-    const std::vector<plane::BungeAngles>& orientations = computation.materials.site_orientation;
+    const std::vector<BungeAngles>& orientations = computation.materials.site_orientation;
     if (!orientations.empty()) summary.angles = angle_range(orientations);
     for (const plane::BuiltTile& tile : tiles) summary.tiles.push_back(tile.figures);
     summary.start = computation.start;
@@ -142,8 +142,7 @@ std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
 }
 
 void add_materials(const Job& job, Computation& computation) {
-    const plane::CellTable cells =
-        cell_table(plane_mesh(computation.cells, plane::MeshKind::kVoronoi));
+    const CellTable cells = cell_table(plane_mesh(computation.cells, plane::MeshKind::kVoronoi));
     if (job.has_inclusions()) {
         computation.materials = tag_materials(computation.cells);
         computation.phases = tag_figures(computation.cells, cells);

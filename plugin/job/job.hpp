@@ -12,15 +12,15 @@
 #include "io/run_files/inclusion_reader.hpp"
 #include "io/tiles/file_options.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
+#include "mesher/cells/material_choices.hpp"
+#include "mesher/cells/orientations.hpp"
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
-#include "mesher/plane/geometry/walls.hpp"
-#include "mesher/plane/materials/material_choices.hpp"
-#include "mesher/plane/materials/orientations.hpp"
 #include "mesher/plane/search/lattice_stability.hpp"
 #include "mesher/plane/symmetry/plane_group.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
 #include "mesher/torus/coincident_sites.hpp"
+#include "mesher/torus/walls.hpp"
 #include "plugin/job/job_progress.hpp"
 #include "plugin/job/tessellation.hpp"
 
@@ -32,13 +32,13 @@ enum class Start { kRandom, kCoarse, kLattice, kBest };
 
 /// The wished areas of the cells: drawn from a law, or given.
 struct WishedAreas {
-    plane::AreaLaw law = {};
+    AreaLaw law = {};
     /// One positive number a site, in any unit: scaled to the area of the domain. Empty: `law`.
     Eigen::VectorXd given = {};
     /// The law or the file, for the report.
     std::string name;
 
-    bool is_drawn() const { return given.size() == 0 && law.kind != plane::AreaLaw::Kind::kEqual; }
+    bool is_drawn() const { return given.size() == 0 && law.kind != AreaLaw::Kind::kEqual; }
 };
 
 /// Elongated cells: as Metric.
@@ -97,8 +97,8 @@ struct Job {
     /// The sides of the domain that are walls: it is then an upright rectangle with `origin` on
     /// them. Excludes aspect, symmetry, the stability, starts at a lattice, and copies
     /// across walls.
-    plane::Walls walls = plane::Walls::kNone;
-    plane::WallCells wall_cells = plane::WallCells::kWhole;
+    Walls walls = Walls::kNone;
+    WallCells wall_cells = WallCells::kWhole;
     /// Sites that stay where they are, 2 x k, length units; they are the first k of the n_sites,
     /// and the others are drawn. Excludes given sites, areas, symmetry, walls, inclusions, the
     /// stability, and starts that are not random.
@@ -152,7 +152,7 @@ struct Job {
 
     /// Phases are spread and orientations drawn by `seed`; given orientations are those of the
     /// sites in their order.
-    plane::MaterialChoices materials;
+    MaterialChoices materials;
 
     /// The options of the command without paths, and without those that change no result, for files
     /// that state their history; empty for other hosts.
@@ -199,8 +199,8 @@ struct Computation {
     /// rho at each site outside of holes; empty without a density.
     std::vector<double> site_densities;
     /// Of the sites outside of holes; empty without materials.
-    plane::CellMaterials materials = {};
-    std::vector<plane::PhaseFigures> phases = {};
+    CellMaterials materials = {};
+    std::vector<PhaseFigures> phases = {};
     /// Of the computation alone.
     JobSeconds seconds = {};
 };
@@ -232,11 +232,11 @@ struct RunSummary {
     /// Of jobs with inclusions.
     std::optional<InterfaceFigures> interfaces;
     /// Of jobs with phases, one entry each.
-    std::vector<plane::PhaseFigures> phases;
+    std::vector<PhaseFigures> phases;
     /// Of jobs with orientations.
-    std::optional<plane::AngleRange> angles;
+    std::optional<AngleRange> angles;
     /// The materials whose elastic constants the files state.
-    std::vector<plane::NamedConstants> constants;
+    std::vector<NamedConstants> constants;
     /// One entry for each mesh of the job.
     std::vector<plane::TileFigures> tiles;
     /// The files and folders that were written, in the order of the outputs, without the report.

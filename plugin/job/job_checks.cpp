@@ -175,8 +175,8 @@ void check_wall_starts(const Job& job) {
 }
 
 void check_walls(const Job& job) {
-    if (job.walls == plane::Walls::kNone) {
-        if (job.wall_cells == plane::WallCells::kWhole) return;
+    if (job.walls == Walls::kNone) {
+        if (job.wall_cells == WallCells::kWhole) return;
         throw InvalidInput("half cells lie on walls, but there are none; give the walls");
     }
     if (!is_upright(job.lattice)) {
@@ -194,7 +194,7 @@ void check_walls(const Job& job) {
         throw InvalidInput(
             "walls lie at 0 and at the period; give an origin along the walls only, or none");
     }
-    const bool is_half = job.wall_cells == plane::WallCells::kHalf;
+    const bool is_half = job.wall_cells == WallCells::kHalf;
     if (is_half && job.max_iterations == 0) {
         throw InvalidInput(
             "the sites beside walls move onto them step by step; allow iterations, or take whole "

@@ -6,8 +6,8 @@
 
 #include "io/bytes/nearest_word.hpp"
 #include "io/bytes/text.hpp"
+#include "mesher/cells/set_names.hpp"
 #include "mesher/plane/cvt/interface_cvt.hpp"
-#include "mesher/plane/geometry/set_names.hpp"
 #include "mesher/plane/mesh/interface_proof.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 
@@ -38,7 +38,7 @@ constexpr std::array kExclusions{
 };
 
 constexpr std::array kFixedExclusions{
-    Exclusion{[](const Job& job) { return job.walls != plane::Walls::kNone; },
+    Exclusion{[](const Job& job) { return job.walls != Walls::kNone; },
               "fixed sites need a plane that is periodic along both directions; leave the walls "
               "out"},
 };
@@ -82,7 +82,7 @@ std::vector<std::string> inclusion_tags(const Job& job) {
 /// @param names  of all phases and tags.
 void require_free_name(const std::string& kind, const std::string& name,
                        const std::vector<std::string>& names) {
-    const std::optional<std::string> set = plane::set_with_name(name, names);
+    const std::optional<std::string> set = set_with_name(name, names);
     if (!set) return;
     throw InvalidInput(kind + " " + name + " has the name of a set in files (" + *set +
                        "); rename it");
@@ -92,7 +92,7 @@ void require_free_name(const std::string& kind, const std::string& name,
 /// names.
 void check_names(const Job& job) {
     std::vector<std::string> names;
-    for (const plane::PhaseFraction& phase : job.materials.phases) names.push_back(phase.name);
+    for (const PhaseFraction& phase : job.materials.phases) names.push_back(phase.name);
     for (const std::string& phase : names) require_free_name("the phase", phase, names);
     if (!job.inclusions) return;
     names = job.inclusions->tags;
@@ -234,12 +234,12 @@ Tessellation compute_cells_with_inclusions(const Job& job, const plane::CvtOptio
     return tessellation;
 }
 
-plane::CellMaterials tag_materials(const Tessellation& tessellation) {
+CellMaterials tag_materials(const Tessellation& tessellation) {
     const plane::HoleSites& holes = tessellation.holes;
     if (holes.empty()) {
         return {.phase_names = tessellation.tag_names, .site_phase = tessellation.site_tags};
     }
-    plane::CellMaterials materials;
+    CellMaterials materials;
     std::vector<int> phase_of_tag;
     for (const std::string& name : tessellation.tag_names) {
         const bool is_hole =
@@ -255,7 +255,7 @@ plane::CellMaterials tag_materials(const Tessellation& tessellation) {
 
 std::vector<std::string> file_phases(const Job& job) {
     std::vector<std::string> names;
-    for (const plane::PhaseFraction& phase : job.materials.phases) names.push_back(phase.name);
+    for (const PhaseFraction& phase : job.materials.phases) names.push_back(phase.name);
     if (!job.has_inclusions()) return names;
     names = {kMatrixTag};
     for (const std::string& tag : inclusion_tags(job)) {
@@ -265,15 +265,14 @@ std::vector<std::string> file_phases(const Job& job) {
     return names;
 }
 
-std::vector<plane::PhaseFigures> tag_figures(const Tessellation& tessellation,
-                                             const plane::CellTable& cells) {
-    plane::MaterialChoices tags;
+std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation, const CellTable& cells) {
+    MaterialChoices tags;
     for (std::size_t k = 0; k < tessellation.tag_names.size(); ++k) {
         const double share = tessellation.tag_areas[k] / tessellation.lattice().area();
         tags.phases.push_back({tessellation.tag_names[k], share});
     }
-    const plane::CellMaterials of_all{.phase_names = tessellation.tag_names,
-                                      .site_phase = tessellation.site_tags};
+    const CellMaterials of_all{.phase_names = tessellation.tag_names,
+                               .site_phase = tessellation.site_tags};
     return phase_figures(tags, of_all, cells);
 }
 

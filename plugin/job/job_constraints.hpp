@@ -1,7 +1,7 @@
 #pragma once
 
+#include "mesher/cells/cell_table.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
-#include "mesher/plane/mesh/cell_table.hpp"
 #include "plugin/job/job.hpp"
 
 namespace pcvt {
@@ -23,14 +23,13 @@ Tessellation compute_cells_with_inclusions(const Job& job, const plane::CvtOptio
 
 /// The tags of a run with inclusions as the phases of its cells, in the order matrix, 1, 2, ...,
 /// without those of holes; one entry a site outside of holes.
-plane::CellMaterials tag_materials(const Tessellation& tessellation);
+CellMaterials tag_materials(const Tessellation& tessellation);
 
 /// The names of the phases of a job, or of its tags outside of holes, as tag_materials() has them.
 std::vector<std::string> file_phases(const Job& job);
 
 /// One entry a tag, also of holes; wanted are the areas of the shapes.
 /// @param cells  of all sites.
-std::vector<plane::PhaseFigures> tag_figures(const Tessellation& tessellation,
-                                             const plane::CellTable& cells);
+std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation, const CellTable& cells);
 
 }  // namespace pcvt

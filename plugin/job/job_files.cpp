@@ -298,9 +298,9 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files,
     }
 }
 
-std::vector<plane::NamedConstants> stated_constants(const std::vector<JobFile>& files,
-                                                    const FileOptions& options,
-                                                    const plane::CellMaterials& materials) {
+std::vector<NamedConstants> stated_constants(const std::vector<JobFile>& files,
+                                             const FileOptions& options,
+                                             const CellMaterials& materials) {
     for (const JobFile& file : files) {
         const bool is_chosen =
             !options.elastic.materials.empty() && states_chosen_constants(file, options);

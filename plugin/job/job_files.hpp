@@ -57,9 +57,9 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files,
                         const std::vector<std::string>& phases);
 
 /// The materials with the elastic constants that the files state, of a job of a solver or chosen.
-std::vector<plane::NamedConstants> stated_constants(const std::vector<JobFile>& files,
-                                                    const FileOptions& options,
-                                                    const plane::CellMaterials& materials);
+std::vector<NamedConstants> stated_constants(const std::vector<JobFile>& files,
+                                             const FileOptions& options,
+                                             const CellMaterials& materials);
 
 /// The colour of "none" or "#rrggbb".
 /// @throws InvalidInput for other words.

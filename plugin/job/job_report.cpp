@@ -90,7 +90,7 @@ std::optional<Report::Symmetry> report_symmetry(const Job& job, const RunSummary
 }
 
 std::optional<Report::Walls> report_walls(const Job& job, const RunSummary& summary) {
-    if (job.walls == plane::Walls::kNone) return std::nullopt;
+    if (job.walls == Walls::kNone) return std::nullopt;
     return Report::Walls{walls_row(job.walls).word, wall_cells_row(job.wall_cells).word,
                          summary.n_on_walls};
 }
@@ -115,7 +115,7 @@ std::optional<Report::Inclusions> report_inclusions(const Job& job, const RunSum
 
 std::vector<Report::Phase> report_phases(const RunSummary& summary) {
     std::vector<Report::Phase> phases;
-    for (const plane::PhaseFigures& phase : summary.phases) {
+    for (const PhaseFigures& phase : summary.phases) {
         phases.push_back({phase.name, phase.wanted, phase.reached, phase.n_cells});
     }
     return phases;

@@ -85,11 +85,11 @@ class FileEncoder {
         if (job_.has_inclusions() && !options.colouring) options.colouring = Colouring::kTag;
         return options;
     }
-    const plane::CellMaterials& materials() const { return result_.materials; }
+    const CellMaterials& materials() const { return result_.materials; }
     /// The materials that a file of a tile states; empty for Delaunay triangles where files state
     /// the materials of cells.
-    const plane::CellMaterials& tile_materials() const {
-        static const plane::CellMaterials none;
+    const CellMaterials& tile_materials() const {
+        static const CellMaterials none;
         const bool are_cells = faces_have_sites(tile().kind) || !file_.format->states_materials;
         return are_cells ? materials() : none;
     }

@@ -109,8 +109,8 @@ Eigen::VectorXd target_areas(const Job& job) {
     if (!job.areas) return {};
     const auto& [law, given, name] = *job.areas;
     const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
-    return plane::scaled_areas(given.size() > 0 ? given : draw_areas(law, n, job.seed), n,
-                               job.lattice.area());
+    return scaled_areas(given.size() > 0 ? given : draw_areas(law, n, job.seed), n,
+                        job.lattice.area());
 }
 
 /// The fixed sites, then random ones.
@@ -159,7 +159,7 @@ std::vector<CoincidentSite> duplicates_of(const Job& job, const plane::Points& g
                                           double n_sites) {
     const plane::Metric metric = metric_of(job);
     // Sites on opposite walls do not coincide.
-    const bool has_walls = job.walls != plane::Walls::kNone && is_upright(job.lattice);
+    const bool has_walls = job.walls != Walls::kNone && is_upright(job.lattice);
     const plane::Lattice lattice =
         metric.to_round(has_walls ? mirrored_lattice(job.lattice, job.walls) : job.lattice);
     const plane::Lattice reduced = reduce(lattice).reduced;

@@ -9,7 +9,7 @@
 #include "mesher/plane/cvt/walled_area_cvt.hpp"
 #include "mesher/plane/cvt/walled_cvt.hpp"
 #include "mesher/plane/geometry/domain.hpp"
-#include "mesher/plane/mesh/cell_table.hpp"
+#include "mesher/plane/mesh/cell_measures.hpp"
 #include "mesher/plane/mesh/valence.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "mesher/plane/mesh/walled_mesh.hpp"
@@ -49,7 +49,7 @@ Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
         return monitor.iteration(progress);
     };
     if (job.has_inclusions()) return compute_cells_with_inclusions(job, options);
-    if (job.walls != plane::Walls::kNone) {
+    if (job.walls != Walls::kNone) {
         plane::WalledCvt walled = compute_walled_cvt(job.lattice, job.walls, job.wall_cells,
                                                      std::move(start.points), options);
         return {.delaunay = std::move(walled.torus.delaunay),
@@ -84,7 +84,7 @@ Tessellation compute_power_cells(const Job& job, JobStart& start, JobMonitor& mo
         if (std::exchange(first, false)) built();
         monitor.newton_step(areas.newton_steps, areas.largest_relative_error);
     };
-    if (job.walls != plane::Walls::kNone) {
+    if (job.walls != Walls::kNone) {
         plane::WalledAreaCvt walled = compute_walled_area_cvt(
             job.lattice, job.walls, job.wall_cells, std::move(start.points), options);
         return {.delaunay = std::move(walled.torus.delaunay),
@@ -102,7 +102,7 @@ Tessellation compute_power_cells(const Job& job, JobStart& start, JobMonitor& mo
 
 /// Moves points into the Domain at `origin`, but not across walls.
 plane::Points wrapped(plane::Points points, const plane::Lattice& lattice,
-                      const plane::Vec2& origin, plane::Walls walls) {
+                      const plane::Vec2& origin, Walls walls) {
     const plane::Domain domain(lattice, origin);
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
         checkpoint_each(s);
@@ -181,12 +181,12 @@ std::vector<int> cell_sides(const Tessellation& tessellation) {
 }
 
 AreaSummary area_summary(const Tessellation& tessellation) {
-    const plane::CellTable cells = cell_table(plane_mesh(tessellation, plane::MeshKind::kVoronoi));
+    const CellTable cells = cell_table(plane_mesh(tessellation, plane::MeshKind::kVoronoi));
     std::vector<double> circularities;
     for (SiteId s = 0; s < cells.n_cells(); ++s) circularities.push_back(cells.circularity(s));
     AreaSummary summary{.newton = *tessellation.areas};
-    summary.std_over_mean = plane::diameter_spread(Eigen::Map<const Eigen::VectorXd>(
-        cells.area.data(), static_cast<Eigen::Index>(cells.area.size())));
+    summary.std_over_mean = diameter_spread(Eigen::Map<const Eigen::VectorXd>(
+        cells.measure.data(), static_cast<Eigen::Index>(cells.measure.size())));
     summary.circularity_mean = mean(circularities);
     for (double& c : circularities)
         c = (c - summary.circularity_mean) * (c - summary.circularity_mean);
@@ -201,8 +201,7 @@ Eigen::VectorXd site_weights(const Tessellation& tessellation) {
 }
 
 plane::Points wrapped_sites(const Tessellation& tessellation, const plane::Vec2& origin) {
-    const plane::Walls walls =
-        tessellation.walled ? tessellation.walled->walls : plane::Walls::kNone;
+    const Walls walls = tessellation.walled ? tessellation.walled->walls : Walls::kNone;
     plane::Points points =
         wrapped(plane_sites(tessellation), tessellation.lattice(), origin, walls);
     if (tessellation.holes.empty()) return points;

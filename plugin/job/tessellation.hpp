@@ -9,7 +9,7 @@
 #include "mesher/plane/areas/area_newton.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/energy/stability.hpp"
-#include "mesher/plane/geometry/walls.hpp"
+#include "mesher/plane/geometry/walled_domain.hpp"
 #include "mesher/plane/interfaces/inclusion.hpp"
 #include "mesher/plane/mesh/elongated_mesh.hpp"
 #include "mesher/plane/search/lattice_pattern.hpp"

@@ -6,9 +6,9 @@
 
 #include "io/bytes/text.hpp"
 #include "io/pictures/plot_svg.hpp"
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/areas/area_cvt.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
-#include "mesher/plane/mesh/cell_table.hpp"
+#include "mesher/plane/mesh/cell_measures.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
@@ -43,19 +43,19 @@ std::vector<int> histogram_of_diameters(std::vector<double> diameters) {
 
 std::vector<StudyRow> rows_of_law(const StudiedLaw& law, int n, std::uint64_t seed) {
     const plane::Lattice unit = unit_square();
-    const Eigen::VectorXd areas = plane::scaled_areas(
-        plane::draw_areas(plane::parse_area_law(law.word), n, seed), n, unit.area());
+    const Eigen::VectorXd areas =
+        scaled_areas(draw_areas(parse_area_law(law.word), n, seed), n, unit.area());
     const plane::AreaCvtResult result =
         compute_area_cvt(unit, uniform_points(unit, n, seed),
                          {.areas = areas, .centroidal_steps = kCentroidalSteps});
-    const plane::CellTable cells = cell_table(cell_mesh(result.delaunay));
+    const CellTable cells = cell_table(cell_mesh(result.delaunay));
     std::vector<double> wanted;
     std::vector<double> reached;
     double error = 0;
     for (SiteId s = 0; s < n; ++s) {
         wanted.push_back(2 * std::sqrt(areas[s] / std::numbers::pi));
         reached.push_back(cells.equivalent_diameter(s));
-        error = std::max(error, std::abs(cells.area[s] - areas[s]) / areas[s]);
+        error = std::max(error, std::abs(cells.measure[s] - areas[s]) / areas[s]);
     }
     const std::vector<int> n_wanted = histogram_of_diameters(wanted);
     const std::vector<int> n_reached = histogram_of_diameters(reached);

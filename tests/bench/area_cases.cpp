@@ -1,13 +1,13 @@
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/areas/area_cvt.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
 #include "tests/bench/cases.hpp"
 
 namespace pcvt::bench {
 namespace {
 
 Eigen::VectorXd grain_areas(const Input& input) {
-    const plane::AreaLaw law = plane::parse_area_law("lognormal:0.42");
-    return plane::scaled_areas(draw_areas(law, input.n, 1), input.n, input.lattice.area());
+    const AreaLaw law = parse_area_law("lognormal:0.42");
+    return scaled_areas(draw_areas(law, input.n, 1), input.n, input.lattice.area());
 }
 
 /// Sites and areas in the order and unit of a triangulation.

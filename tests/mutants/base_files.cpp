@@ -2,8 +2,8 @@
 
 #include "io/file_proof.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/cells/orientations.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
-#include "mesher/plane/materials/orientations.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "mesher/plane/symmetry/symmetric_sites.hpp"
 #include "mesher/plane/voxels/voxel_image.hpp"
@@ -52,8 +52,8 @@ std::vector<Shape> symmetric_shapes() {
 /// A tile between walls.
 struct WalledShape {
     Shape shape;
-    plane::Walls walls;
-    plane::WallCells cells;
+    Walls walls;
+    WallCells cells;
     int n_sites;
 };
 
@@ -63,13 +63,10 @@ std::vector<WalledShape> walled_shapes() {
                                  .outline = plane::Outline::kBox};
     const plane::TileOptions triangles{.kind = plane::MeshKind::kDelaunay};
     const plane::TileOptions grains{.kind = plane::MeshKind::kGrains, .grain_per_edge = 1};
-    return {{{"voronoi walled", cells}, plane::Walls::kXY, plane::WallCells::kWhole, kSites},
-            {{"voronoi walled box", box}, plane::Walls::kX, plane::WallCells::kWhole, kSites},
-            {{"delaunay walled half", triangles},
-             plane::Walls::kY,
-             plane::WallCells::kHalf,
-             2 * kSites},
-            {{"grains walled", grains}, plane::Walls::kY, plane::WallCells::kWhole, kSites}};
+    return {{{"voronoi walled", cells}, Walls::kXY, WallCells::kWhole, kSites},
+            {{"voronoi walled box", box}, Walls::kX, WallCells::kWhole, kSites},
+            {{"delaunay walled half", triangles}, Walls::kY, WallCells::kHalf, 2 * kSites},
+            {{"grains walled", grains}, Walls::kY, WallCells::kWhole, kSites}};
 }
 
 /// Cells and grains with holes.
@@ -87,11 +84,10 @@ plane::SymmetricSites symmetric_sites(const plane::Lattice& lattice) {
         group, {.n_general = 3, .on_mirrors = {}, .at_centres = {true, false, false, false}}, 5);
 }
 
-const plane::CellMaterials& materials() {
-    static const plane::CellMaterials all{
-        .phase_names = {"a", "b"},
-        .site_phase = {0, 1, 1, 0, 1, 1, 0},
-        .site_orientation = plane::random_orientations(kSites, 1)};
+const CellMaterials& materials() {
+    static const CellMaterials all{.phase_names = {"a", "b"},
+                                   .site_phase = {0, 1, 1, 0, 1, 1, 0},
+                                   .site_orientation = random_orientations(kSites, 1)};
     return all;
 }
 
@@ -159,7 +155,7 @@ std::vector<BaseFile> voxel_files(const TileFormat& format) {
     std::vector<BaseFile> bases;
     const auto add = [&](const char* name, const CellShape& shape, const plane::Lattice& lattice,
                          const plane::Lattice& whole, plane::VoxelCounts counts,
-                         const plane::CellMaterials& of_cells) {
+                         const CellMaterials& of_cells) {
         const plane::PeriodicDelaunay delaunay = power_cells(lattice, kSites, 5, shape).delaunay;
         plane::VoxelCells cells{.lattice = lattice,
                                 .sites = plane::Points(2, kSites),

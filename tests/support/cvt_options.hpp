@@ -8,7 +8,7 @@
 
 namespace pcvt::testing {
 
-inline constexpr std::array kAllWalls{plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY};
+inline constexpr std::array kAllWalls{Walls::kX, Walls::kY, Walls::kXY};
 
 /// The usual options with another tolerance.
 inline plane::CvtOptions to_tolerance(double tolerance) {

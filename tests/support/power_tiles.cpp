@@ -1,6 +1,6 @@
 #include "tests/support/power_tiles.hpp"
 
-#include "mesher/plane/areas/target_areas.hpp"
+#include "mesher/cells/target_areas.hpp"
 
 namespace pcvt::testing {
 
@@ -14,11 +14,10 @@ plane::AreaCvtResult power_cells(const plane::Lattice& lattice, int n, int seed,
                                  const CellShape& shape, int centroidal_steps) {
     const plane::Lattice round = shape.metric.to_round(lattice);
     const plane::Points points = shape.metric.to_round(uniform_points(lattice, n, seed));
-    const plane::AreaLaw law = plane::parse_area_law(*shape.law == '\0' ? "equal" : shape.law);
-    return compute_area_cvt(
-        round, points,
-        {.areas = plane::scaled_areas(draw_areas(law, n, seed), n, lattice.area()),
-         .centroidal_steps = centroidal_steps});
+    const AreaLaw law = parse_area_law(*shape.law == '\0' ? "equal" : shape.law);
+    return compute_area_cvt(round, points,
+                            {.areas = scaled_areas(draw_areas(law, n, seed), n, lattice.area()),
+                             .centroidal_steps = centroidal_steps});
 }
 
 plane::Tile power_tile(const plane::Lattice& lattice, int n, int seed, const CellShape& shape,

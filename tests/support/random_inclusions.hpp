@@ -36,7 +36,7 @@ struct RandomInclusions {
     /// Polygons have no smaller angle, degrees.
     double sharpest = 20;
     /// Twice the gap separates shapes from walls.
-    plane::Walls walls = plane::Walls::kNone;
+    Walls walls = Walls::kNone;
 };
 
 /// A star-shaped polygon round `centre` of about the given radius.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "mesher/plane/areas/laplacian_solver.hpp"
+#include "mesher/cells/laplacian_solver.hpp"
 #include "mesher/plane/power/power_flips.hpp"
 
 namespace pcvt::plane {

@@ -4,7 +4,7 @@
 
 #include "mesher/plane/geometry/metric.hpp"
 #include "mesher/plane/geometry/sites.hpp"
-#include "mesher/plane/geometry/walls.hpp"
+#include "mesher/torus/walls.hpp"
 
 namespace pcvt::plane {
 

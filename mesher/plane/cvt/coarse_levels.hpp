@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "mesher/plane/cvt/cvt.hpp"
-#include "mesher/plane/geometry/walls.hpp"
+#include "mesher/torus/walls.hpp"
 
 namespace pcvt::plane {
 

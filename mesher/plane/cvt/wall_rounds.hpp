@@ -4,7 +4,7 @@
 
 #include "mesher/optimize/objective.hpp"
 #include "mesher/plane/delaunay/periodic_delaunay.hpp"
-#include "mesher/plane/geometry/walls.hpp"
+#include "mesher/plane/geometry/walled_domain.hpp"
 #include "mesher/plane/symmetry/symmetric_sites.hpp"
 
 namespace pcvt::plane {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "mesher/plane/geometry/walls.hpp"
+#include "mesher/plane/geometry/lattice.hpp"
+#include "mesher/torus/walls.hpp"
 
 namespace pcvt::plane {
 

@@ -5,6 +5,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/plane/geometry/sites.hpp"
+#include "mesher/plane/geometry/walled_domain.hpp"
 
 namespace pcvt::plane {
 namespace {

@@ -8,6 +8,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/plane/geometry/sites.hpp"
+#include "mesher/plane/geometry/walled_domain.hpp"
 #include "mesher/plane/interfaces/torus_grid.hpp"
 
 namespace pcvt::plane {

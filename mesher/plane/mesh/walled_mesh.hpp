@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "mesher/plane/geometry/walls.hpp"
+#include "mesher/plane/geometry/walled_domain.hpp"
 #include "mesher/plane/mesh/periodic_mesh.hpp"
 
 namespace pcvt::plane {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesher/base/workers.hpp"
+#include "mesher/cells/cell_graph.hpp"
 #include "mesher/plane/delaunay/torus_triangulation.hpp"
 #include "mesher/plane/geometry/reduced_frame.hpp"
 
@@ -28,18 +29,6 @@ struct PowerCells {
     Eigen::VectorXd gradient;
     /// Areas of the cells, unit^2.
     Eigen::VectorXd mass;
-};
-
-/// The adjacency of the cells. Entries row_begin[i] ... row_begin[i + 1] - 1 belong to the edges of
-/// cell i; a neighbour may occur more than once, and edges between images of one site are left out.
-struct CellGraph {
-    std::vector<int> row_begin;
-    std::vector<SiteId> neighbour;
-    /// l / 2 d, the length of the edge of the cell over twice the distance of the two sites:
-    /// -dm_i / dw_j, dimensionless. Never negative; the same bits in both rows.
-    std::vector<double> conductance;
-
-    int n_rows() const { return static_cast<int>(row_begin.size()) - 1; }
 };
 
 /// Computes the height of each halfedge's orthocentre above it, over its length, and the areas of

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mesher/plane/density/density.hpp"
-#include "mesher/plane/geometry/walls.hpp"
+#include "mesher/plane/geometry/walled_domain.hpp"
 #include "mesher/plane/symmetry/plane_group.hpp"
 
 namespace pcvt::plane {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/plane/geometry/walls.hpp"
+#include "mesher/plane/geometry/walled_domain.hpp"
 #include "mesher/plane/symmetry/symmetric_sites.hpp"
 
 namespace pcvt::plane {

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "mesher/base/faces.hpp"
+#include "mesher/cells/set_names.hpp"
 #include "mesher/plane/geometry/metric.hpp"
-#include "mesher/plane/geometry/set_names.hpp"
 #include "mesher/plane/geometry/sites.hpp"
-#include "mesher/plane/geometry/walls.hpp"
+#include "mesher/plane/geometry/walled_domain.hpp"
 #include "mesher/plane/mesh/mesh_kind.hpp"
 
 namespace pcvt::plane {

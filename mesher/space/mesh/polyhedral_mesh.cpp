@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/plane/geometry/set_names.hpp"
+#include "mesher/cells/set_names.hpp"
 #include "mesher/space/mesh/cell_choice.hpp"
 
 namespace pcvt::space {
@@ -144,8 +144,8 @@ class MeshBuilder {
 }  // namespace
 
 std::string seam_name(Offset offset) {
-    return std::string(plane::kSeamSet) + std::to_string(offset.i) + "_" +
-           std::to_string(offset.j) + "_" + std::to_string(offset.k);
+    return std::string(kSeamSet) + std::to_string(offset.i) + "_" + std::to_string(offset.j) + "_" +
+           std::to_string(offset.k);
 }
 
 PolyhedralMesh polyhedral_mesh(const Sites& sites, const CellComplex& complex) {

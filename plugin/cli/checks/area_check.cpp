@@ -4,8 +4,8 @@
 #include <functional>
 #include <limits>
 
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/areas/cell_areas.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/tile/face_polygon.hpp"
 #include "plugin/cli/terminal/console.hpp"
@@ -84,7 +84,7 @@ std::string prove_areas(
     const AreaFile& wanted, int n, double domain_area,
     const std::function<plane::AreaComparison(const Eigen::VectorXd&)>& compare) {
     require_areas(wanted, n);
-    const Eigen::VectorXd areas = plane::scaled_areas(wanted.areas, n, domain_area);
+    const Eigen::VectorXd areas = scaled_areas(wanted.areas, n, domain_area);
     const plane::AreaComparison found = compare(areas);
     const std::string text =
         figure(found.error) + " of " + wanted.name + " (tolerance " + figure(found.tolerance) + ")";

@@ -117,13 +117,13 @@ class InclusionCheck {
     }
 
     /// The tags that the file states, or shows by the materials of its faces.
-    const plane::CellMaterials& tags() const {
+    const CellMaterials& tags() const {
         return file_.materials.site_phase.empty() ? file_.shown : file_.materials;
     }
 
     /// Law (1).
     void require_tags() const {
-        const plane::CellMaterials& stated = tags();
+        const CellMaterials& stated = tags();
         for (std::size_t s = 0; s < stated.site_phase.size(); ++s) {
             const std::string& tag = stated.phase_names[stated.site_phase[s]];
             const std::string wanted = tag_of(shape_[s]);

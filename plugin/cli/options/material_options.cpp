@@ -44,23 +44,23 @@ void add_material_options(CLI::App& app, MaterialOptions& options) {
         ->allow_extra_args(false);
 }
 
-plane::ElasticChoices elastic_choices(const MaterialOptions& options) {
+ElasticChoices elastic_choices(const MaterialOptions& options) {
     std::string all;
     for (const std::string& material : options.materials) all += material + "\n";
     if (options.materials.empty()) return {};
     try {
-        return plane::parse_elastic_choices(all);
+        return parse_elastic_choices(all);
     } catch (const InvalidInput& error) {
         throw InvalidInput(std::string("--material ") + error.what());
     }
 }
 
-plane::MaterialChoices material_choices(const CLI::App& app, const MaterialOptions& options,
-                                        std::vector<std::string>& inputs) {
-    plane::MaterialChoices choices;
+MaterialChoices material_choices(const CLI::App& app, const MaterialOptions& options,
+                                 std::vector<std::string>& inputs) {
+    MaterialChoices choices;
     if (app.count("--phases") > 0) {
         try {
-            choices.phases = plane::parse_phases(options.phases);
+            choices.phases = parse_phases(options.phases);
         } catch (const InvalidInput& error) {
             throw InvalidInput("--phases " + in_quotes(options.phases) + ": " + error.what());
         }

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "mesher/plane/materials/elastic_choices.hpp"
-#include "mesher/plane/materials/material_choices.hpp"
+#include "mesher/cells/elastic_choices.hpp"
+#include "mesher/cells/material_choices.hpp"
 
 namespace CLI {
 class App;
@@ -28,11 +28,11 @@ void add_material_options(CLI::App& app, MaterialOptions& options);
 
 /// Reads the file of orientations, and adds its path to `inputs`.
 /// @throws InvalidInput, BadFile naming the option or the file with its line.
-plane::MaterialChoices material_choices(const CLI::App& app, const MaterialOptions& options,
-                                        std::vector<std::string>& inputs);
+MaterialChoices material_choices(const CLI::App& app, const MaterialOptions& options,
+                                 std::vector<std::string>& inputs);
 
 /// The elastic constants of --material.
 /// @throws InvalidInput naming the option.
-plane::ElasticChoices elastic_choices(const MaterialOptions& options);
+ElasticChoices elastic_choices(const MaterialOptions& options);
 
 }  // namespace pcvt::cli

@@ -11,8 +11,8 @@ namespace {
 
 using testing::grid_tile;
 
-plane::CellMaterials phases_of(int n_phases, int n_sites) {
-    plane::CellMaterials materials;
+CellMaterials phases_of(int n_phases, int n_sites) {
+    CellMaterials materials;
     for (int k = 0; k < n_phases; ++k) materials.phase_names.push_back("p" + std::to_string(k));
     for (int s = 0; s < n_sites; ++s) materials.site_phase.push_back(s * s % n_phases);
     return materials;
@@ -20,7 +20,7 @@ plane::CellMaterials phases_of(int n_phases, int n_sites) {
 
 TEST(Colouring, ByPhaseEachCellHasTheClassOfItsPhase) {
     const plane::Tile tile = grid_tile(plane::Lattice::rectangle(1, 1), 4, 4);
-    const plane::CellMaterials materials = phases_of(3, 16);
+    const CellMaterials materials = phases_of(3, 16);
     const TileColours colours = tile_colours(tile, Colouring::kPhase, {.materials = &materials});
     ASSERT_EQ(colours.classes.size(), 3U);
     for (int f = 0; f < tile.n_faces(); ++f) {
@@ -36,7 +36,7 @@ TEST(Colouring, ByPhaseEachCellHasTheClassOfItsPhase) {
 
 TEST(Colouring, ByTagCellsHaveTheColoursOfTheirPhasesUnderAnotherTitle) {
     const plane::Tile tile = grid_tile(plane::Lattice::rectangle(1, 1), 4, 4);
-    const plane::CellMaterials tags = phases_of(3, 16);
+    const CellMaterials tags = phases_of(3, 16);
     const TileColours by_tag = tile_colours(tile, Colouring::kTag, {.materials = &tags});
     const TileColours by_phase = tile_colours(tile, Colouring::kPhase, {.materials = &tags});
     EXPECT_EQ(by_tag.class_of, by_phase.class_of);
@@ -70,14 +70,14 @@ TEST(Colouring, AQuantityThatIsMissingIsAFaultOfTheCaller) {
     EXPECT_THROW(tile_colours(tile, Colouring::kPhase, {}), InternalError);
     EXPECT_THROW(tile_colours(tile, Colouring::kDensity, {}), InternalError);
     EXPECT_THROW(tile_colours(tile, Colouring::kOrbit, {}), InternalError);
-    const plane::CellMaterials only_orientations{.site_orientation = {{1, 2, 3}}};
+    const CellMaterials only_orientations{.site_orientation = {{1, 2, 3}}};
     EXPECT_THROW(tile_colours(tile, Colouring::kPhase, {.materials = &only_orientations}),
                  InternalError);
 }
 
 TEST(Colouring, PicturesShowPhasesWhereThereAreSome) {
     const plane::Tile tile = grid_tile(plane::Lattice::rectangle(1, 1), 4, 4);
-    const plane::CellMaterials materials = phases_of(2, 16);
+    const CellMaterials materials = phases_of(2, 16);
     EXPECT_EQ(default_picture_colouring(tile, {.materials = &materials}), Colouring::kPhase);
     EXPECT_EQ(default_picture_colouring(tile, {}), Colouring::kSides);
 }

@@ -87,7 +87,7 @@ TEST(SeamSegments, AParallelogramHasFourWithTheTileOnTheirLeft) {
 }
 
 TEST(SeamSegments, StretchesOnAWallLieOnItAndHaveNoPartner) {
-    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
         for (const plane::Tile& tile : testing::walled_tiles(walls)) {
             const plane::MidsideNodes middles =
                 tile.order == 2 ? midside_nodes(tile) : plane::MidsideNodes{};
@@ -102,7 +102,7 @@ TEST(SeamSegments, StretchesOnAWallLieOnItAndHaveNoPartner) {
                 }
                 EXPECT_EQ(runs[r].offset, plane::Offset{});
                 EXPECT_EQ(runs[r].partner, -1);
-                const plane::WallSide side = runs[r].wall->side();
+                const WallSide side = runs[r].wall->side();
                 const int axis = wall_side_row(side).axis;
                 for (std::size_t k = 0; k + 1 < runs[r].vertices.size(); ++k) {
                     edges.insert({*runs[r].wall, runs[r].vertices[k], runs[r].vertices[k + 1]});
@@ -120,13 +120,13 @@ TEST(SeamSegments, StretchesOnAWallLieOnItAndHaveNoPartner) {
 }
 
 TEST(SeamSegments, ABoxHasFourWalls) {
-    for (const plane::Tile& tile : testing::walled_tiles(plane::Walls::kXY)) {
-        std::multiset<plane::WallSide> sides;
+    for (const plane::Tile& tile : testing::walled_tiles(Walls::kXY)) {
+        std::multiset<WallSide> sides;
         for (const SeamSegment& run : seam_segments(tile, {})) {
             sides.insert(run.wall.value().side());
         }
-        EXPECT_THAT(sides, ::testing::ElementsAre(plane::WallSide::kLeft, plane::WallSide::kRight,
-                                                  plane::WallSide::kBottom, plane::WallSide::kTop));
+        EXPECT_THAT(sides, ::testing::ElementsAre(WallSide::kLeft, WallSide::kRight,
+                                                  WallSide::kBottom, WallSide::kTop));
     }
 }
 

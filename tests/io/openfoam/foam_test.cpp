@@ -163,9 +163,9 @@ TEST(Foam, CommentsAndOneLineListsAreRead) {
     EXPECT_EQ(fault_of(files), "");
 }
 
-const plane::CellMaterials& two_phases() {
-    static const plane::CellMaterials phases{.phase_names = {"1st", "b"},
-                                             .site_phase = {0, 1, 1, 0, 1, 1}};
+const CellMaterials& two_phases() {
+    static const CellMaterials phases{.phase_names = {"1st", "b"},
+                                      .site_phase = {0, 1, 1, 0, 1, 1}};
     return phases;
 }
 

@@ -25,8 +25,8 @@ std::string& text_of(Files& files, const std::string& name) {
         ->bytes;
 }
 
-Files walled_case(plane::Walls walls = plane::Walls::kY) {
-    return encode_foam(walled_tile(walls, plane::WallCells::kWhole, 12, {}), "t.foam");
+Files walled_case(Walls walls = Walls::kY) {
+    return encode_foam(walled_tile(walls, WallCells::kWhole, 12, {}), "t.foam");
 }
 
 /// Returns why `pcvt check` refuses the files; empty if it accepts them.
@@ -55,11 +55,10 @@ std::string wall_fault_with(const std::string& name, const std::string& piece,
 
 TEST(FoamWalls, TilesReadBackExactlyWithTheirWalls) {
     std::mt19937_64 random(6);
-    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
-        for (const plane::WallCells cells : {plane::WallCells::kWhole, plane::WallCells::kHalf}) {
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
+        for (const WallCells cells : {WallCells::kWhole, WallCells::kHalf}) {
             for (const plane::MeshKindRow& row : plane::kMeshKinds) {
-                if (row.kind == plane::MeshKind::kDelaunay && cells == plane::WallCells::kWhole)
-                    continue;
+                if (row.kind == plane::MeshKind::kDelaunay && cells == WallCells::kWhole) continue;
                 const int n = static_cast<int>(6 + random() % 30);
                 SCOPED_TRACE(std::string(walls_row(walls).word) + ' ' + row.word + ' ' +
                              std::to_string(n));
@@ -77,20 +76,18 @@ TEST(FoamWalls, TilesReadBackExactlyWithTheirWalls) {
 }
 
 TEST(FoamWalls, TheFieldsHaveConditionsOnWalls) {
-    Files files = walled_case(plane::Walls::kXY);
+    Files files = walled_case(Walls::kXY);
     EXPECT_THAT(text_of(files, "constant/polyMesh/boundary"),
                 HasSubstr("    wall_left\n    {\n        type            wall;\n"));
-    for (const plane::WallSideRow& row : plane::kWallSides) {
+    for (const WallSideRow& row : kWallSides) {
         const std::string name = std::string("    ") + row.word + " { type ";
         EXPECT_THAT(text_of(files, "0/U"), HasSubstr(name + "noSlip; }"));
         EXPECT_THAT(text_of(files, "0/p"), HasSubstr(name + "zeroGradient; }"));
         EXPECT_THAT(text_of(files, "0/T"), HasSubstr(name + "zeroGradient; }"));
     }
-    Files moving =
-        encode_foam(walled_tile(plane::Walls::kXY, plane::WallCells::kWhole, 150, {}), "t.foam");
+    Files moving = encode_foam(walled_tile(Walls::kXY, WallCells::kWhole, 150, {}), "t.foam");
     EXPECT_THAT(text_of(moving, "constant/transportProperties"), HasSubstr("U begins to fall as"));
-    moving =
-        encode_foam(walled_tile(plane::Walls::kY, plane::WallCells::kWhole, 150, {}), "t.foam");
+    moving = encode_foam(walled_tile(Walls::kY, WallCells::kWhole, 150, {}), "t.foam");
     // pi^2, for the height 1.
     EXPECT_THAT(text_of(moving, "constant/transportProperties"), HasSubstr("fall as exp(-9.8696"));
 }
@@ -142,7 +139,7 @@ TEST(FoamWalls, RangesOfWallPatchesAreProved) {
 }
 
 TEST(FoamWalls, ThicknessesAreReadBack) {
-    const plane::Tile tile = walled_tile(plane::Walls::kY, plane::WallCells::kWhole, 12, {});
+    const plane::Tile tile = walled_tile(Walls::kY, WallCells::kWhole, 12, {});
     Files files = encode_foam(tile, "t.foam", 0.3);
     EXPECT_EQ(decode_foam(files, std::nullopt).thickness, 0.3);
     EXPECT_EQ(wall_fault(files), "");
@@ -171,7 +168,7 @@ TEST(FoamWalls, LayersOfAnotherScaleThanTheCellsAreRefused) {
 
 TEST(FoamWalls, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(5);
-    const Files sound = walled_case(plane::Walls::kXY);
+    const Files sound = walled_case(Walls::kXY);
     int n_refused = 0;
     for (int k = 0; k < 1000; ++k) {
         Files files = sound;

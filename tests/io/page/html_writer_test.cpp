@@ -88,7 +88,7 @@ TEST(HtmlPage, Law1TheDataGivesTheTileBackExactly) {
 }
 
 TEST(HtmlPage, EdgesOnWallsNameTheirWall) {
-    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
         for (const plane::Tile& tile : testing::walled_tiles(walls)) {
             const nlohmann::json json = parsed_data(html(tile));
             expect_same_tile(json, tile);

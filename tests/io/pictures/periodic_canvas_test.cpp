@@ -18,7 +18,7 @@ constexpr int kCanvasWidth = 24;
 constexpr int kHeight = 16;
 
 /// Random shapes, all moved by the same number of pixels. Their corners are multiples of 1/64.
-RgbImage scene(int x, int y, plane::Walls walls = plane::Walls::kNone) {
+RgbImage scene(int x, int y, Walls walls = Walls::kNone) {
     std::mt19937_64 random(3);
     const auto place = [&]() -> plane::Vec2 {
         return {static_cast<double>(random() % (64 * kCanvasWidth)) / 64 + x,
@@ -50,7 +50,7 @@ TEST(PeriodicCanvas, ShapesMovedByPeriodsGiveTheSameImage) {
 
 /// A disc of radius 4 at the centre of each side of the canvas, in its own colour, and its copies
 /// beyond the opposite sides, which only a canvas without walls shows.
-RgbImage discs_on_sides(plane::Walls walls) {
+RgbImage discs_on_sides(Walls walls) {
     PeriodicCanvas canvas(kCanvasWidth, kHeight, walls);
     canvas.add_polygon(std::array{plane::Vec2(0, 0), plane::Vec2(kCanvasWidth, 0),
                                   plane::Vec2(kCanvasWidth, kHeight), plane::Vec2(0, kHeight)},
@@ -72,7 +72,7 @@ PackedColour colour_at(const RgbImage& image, int x, int y) {
 
 // Law 3.
 TEST(PeriodicCanvas, NothingContinuesBeyondAWall) {
-    for (const plane::WallsRow& row : plane::kWalls) {
+    for (const WallsRow& row : kWalls) {
         const RgbImage image = discs_on_sides(row.walls);
         const auto shown = [&](int x, int y) { return colour_at(image, x, y); };
         // The later disc covers the other one where the sides continue in each other.
@@ -85,16 +85,16 @@ TEST(PeriodicCanvas, NothingContinuesBeyondAWall) {
 
 // Laws 1 and 2 along the walls.
 TEST(PeriodicCanvas, ShapesMayMoveAlongWalls) {
-    const RgbImage across_x = scene(0, 0, plane::Walls::kX);
-    EXPECT_EQ(scene(0, 5, plane::Walls::kX).rgb, rolled(across_x, 0, 5));
-    EXPECT_EQ(scene(0, kHeight, plane::Walls::kX).rgb, across_x.rgb);
-    const RgbImage across_y = scene(0, 0, plane::Walls::kY);
-    EXPECT_EQ(scene(7, 0, plane::Walls::kY).rgb, rolled(across_y, 7, 0));
-    EXPECT_EQ(scene(kCanvasWidth, 0, plane::Walls::kY).rgb, across_y.rgb);
+    const RgbImage across_x = scene(0, 0, Walls::kX);
+    EXPECT_EQ(scene(0, 5, Walls::kX).rgb, rolled(across_x, 0, 5));
+    EXPECT_EQ(scene(0, kHeight, Walls::kX).rgb, across_x.rgb);
+    const RgbImage across_y = scene(0, 0, Walls::kY);
+    EXPECT_EQ(scene(7, 0, Walls::kY).rgb, rolled(across_y, 7, 0));
+    EXPECT_EQ(scene(kCanvasWidth, 0, Walls::kY).rgb, across_y.rgb);
 }
 
 TEST(PeriodicCanvas, APixelIsTheMeanOfWhatCoversIt) {
-    PeriodicCanvas canvas(2, 1, plane::Walls::kNone);
+    PeriodicCanvas canvas(2, 1, Walls::kNone);
     canvas.add_polygon(
         std::array{plane::Vec2(0, 0), plane::Vec2(2, 0), plane::Vec2(2, 1), plane::Vec2(0, 1)},
         0x000000);
@@ -105,7 +105,7 @@ TEST(PeriodicCanvas, APixelIsTheMeanOfWhatCoversIt) {
 }
 
 TEST(PeriodicCanvas, StrokesHaveRoundEnds) {
-    PeriodicCanvas canvas(64, 64, plane::Walls::kNone);
+    PeriodicCanvas canvas(64, 64, Walls::kNone);
     canvas.add_polygon(
         std::array{plane::Vec2(0, 0), plane::Vec2(64, 0), plane::Vec2(64, 64), plane::Vec2(0, 64)},
         0x000000);
@@ -117,14 +117,14 @@ TEST(PeriodicCanvas, StrokesHaveRoundEnds) {
 }
 
 TEST(PeriodicCanvas, AShapeWiderThanTheCanvasCoversIt) {
-    PeriodicCanvas canvas(5, 4, plane::Walls::kNone);
+    PeriodicCanvas canvas(5, 4, Walls::kNone);
     canvas.add_stroke({1, 1}, {1, 1}, 40, 0x010101);
     EXPECT_THAT(canvas.render().rgb, Each(1));
-    EXPECT_THAT(PeriodicCanvas(5, 4, plane::Walls::kNone).render().rgb, Each(255));
+    EXPECT_THAT(PeriodicCanvas(5, 4, Walls::kNone).render().rgb, Each(255));
 }
 
 TEST(PeriodicCanvas, GapsTakeTheColourToTheirLeft) {
-    PeriodicCanvas canvas(4, 1, plane::Walls::kNone);
+    PeriodicCanvas canvas(4, 1, Walls::kNone);
     canvas.add_polygon(
         std::array{plane::Vec2(1, 0), plane::Vec2(2, 0), plane::Vec2(2, 1), plane::Vec2(1, 1)},
         0x010101);

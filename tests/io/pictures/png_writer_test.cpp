@@ -62,6 +62,29 @@ TEST(PngWriter, AMovedTileGivesTheRolledImage) {
     }
 }
 
+/// The number of pixels of a colour 0xrrggbb.
+int n_pixels(const RgbImage& image, PackedColour colour) {
+    int n = 0;
+    for (std::size_t k = 0; k < image.rgb.size(); k += 3) {
+        const auto* const pixel = image.rgb.data() + k;
+        n += (pixel[0] << 16 | pixel[1] << 8 | pixel[2]) == static_cast<int>(colour);
+    }
+    return n;
+}
+
+// Dark edges part cells whose colours form a scale; grey ones part the few colours of sides.
+TEST(PngWriter, EdgesAreAsDarkAsTheirColouringNeeds) {
+    constexpr PackedColour kGrey = 0x565c68;
+    constexpr PackedColour kDark = 0x262a33;
+    const plane::Tile cells = tile(kRectangle, plane::MeshKind::kVoronoi, plane::Outline::kWhole);
+    const RgbImage by_sides = draw_period(cells, {}, 4 * kPictureWidth);
+    EXPECT_GT(n_pixels(by_sides, kGrey), 1000);
+    EXPECT_EQ(n_pixels(by_sides, kDark), 0);
+    const RgbImage by_size = draw_period(cells, {.colouring = Colouring::kSize}, 4 * kPictureWidth);
+    EXPECT_GT(n_pixels(by_size, kDark), 1000);
+    EXPECT_EQ(n_pixels(by_size, kGrey), 0);
+}
+
 TEST(PngWriter, TheOutlineDoesNotShow) {
     for (const plane::Lattice& lattice : {kRectangle, kOblique}) {
         const RgbImage whole = draw_period(
@@ -110,9 +133,8 @@ std::vector<unsigned char> far_half(const RgbImage& image, int axis) {
 }
 
 TEST(PngWriter, DotsOnAWallDoNotShowAtTheOppositeOne) {
-    for (const auto& [walls, axis] :
-         {std::pair(plane::Walls::kX, 0), std::pair(plane::Walls::kY, 1)}) {
-        const plane::Tile cells = testing::walled_tile(walls, plane::WallCells::kHalf, 14, {});
+    for (const auto& [walls, axis] : {std::pair(Walls::kX, 0), std::pair(Walls::kY, 1)}) {
+        const plane::Tile cells = testing::walled_tile(walls, WallCells::kHalf, 14, {});
         plane::Tile without = cells;
         const auto on_first_wall = [axis = axis](const plane::Vec2& p) { return p[axis] == 0; };
         ASSERT_GT(std::erase_if(without.site_points, on_first_wall), 0U);

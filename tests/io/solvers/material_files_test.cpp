@@ -12,7 +12,7 @@
 #include "io/solvers/inp_writer.hpp"
 #include "io/solvers/msh_reader.hpp"
 #include "io/solvers/msh_writer.hpp"
-#include "mesher/plane/materials/orientations.hpp"
+#include "mesher/cells/orientations.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/mutation.hpp"
@@ -33,20 +33,20 @@ plane::Tile grains(plane::Outline outline, int columns = 1) {
         .tile;
 }
 
-plane::CellMaterials all_materials() {
-    plane::CellMaterials materials{.phase_names = {"ferrite", "M-2_x"},
-                                   .site_orientation = plane::random_orientations(kSites, 2)};
+CellMaterials all_materials() {
+    CellMaterials materials{.phase_names = {"ferrite", "M-2_x"},
+                            .site_orientation = random_orientations(kSites, 2)};
     for (int s = 0; s < kSites; ++s) materials.site_phase.push_back(s % 3 == 0 ? 0 : 1);
     return materials;
 }
 
-std::string inp_text(const plane::CellMaterials& materials, SolverJob job = SolverJob::kNone) {
+std::string inp_text(const CellMaterials& materials, SolverJob job = SolverJob::kNone) {
     return encode_inp(grains(plane::Outline::kWhole), {.materials = &materials, .job = job},
                       "t.inp")[0]
         .bytes;
 }
 
-std::string msh_text(const plane::CellMaterials& materials) {
+std::string msh_text(const CellMaterials& materials) {
     return encode_msh(grains(plane::Outline::kWhole), "t.msh", &materials)[0].bytes;
 }
 
@@ -62,7 +62,7 @@ TEST(MaterialFiles, InputsReadBackPhasesAndOrientations) {
     for (const plane::Outline outline : {plane::Outline::kWhole, plane::Outline::kBox}) {
         for (const int columns : {1, 2}) {
             const plane::Tile tile = grains(outline, columns);
-            plane::CellMaterials materials = all_materials();
+            CellMaterials materials = all_materials();
             EXPECT_EQ(
                 decode_inp(encode_inp(tile, {.materials = &materials}, "t.inp"), {}).materials,
                 materials);
@@ -73,14 +73,14 @@ TEST(MaterialFiles, InputsReadBackPhasesAndOrientations) {
             EXPECT_EQ(decode_msh(encode_msh(tile, "t.msh", &materials), {}).materials, materials);
         }
     }
-    plane::CellMaterials turned{.site_orientation = plane::random_orientations(kSites, 2)};
+    CellMaterials turned{.site_orientation = random_orientations(kSites, 2)};
     EXPECT_EQ(refusal_of("t.inp", inp_text(turned)), "");
     EXPECT_THAT(inp_text(turned), HasSubstr("*SOLID SECTION,ELSET=CELL_3,MATERIAL=GRAINS,"
                                             "ORIENTATION=ORI_3\n1.\n"));
 }
 
 TEST(MaterialFiles, EachCellHasTheSectionOfItsPhaseAndTheAxesOfItsOrientation) {
-    const plane::CellMaterials materials = all_materials();
+    const CellMaterials materials = all_materials();
     const std::string text = inp_text(materials);
     for (int s = 0; s < kSites; ++s) {
         const std::string id = std::to_string(s);
@@ -107,7 +107,7 @@ TEST(MaterialFiles, EachCellHasTheSectionOfItsPhaseAndTheAxesOfItsOrientation) {
 }
 
 TEST(MaterialFiles, AJobHasOneMaterialAPhaseAndThreeSteps) {
-    plane::CellMaterials materials = all_materials();
+    CellMaterials materials = all_materials();
     std::string text = inp_text(materials, SolverJob::kElastic);
     EXPECT_THAT(text, HasSubstr("*MATERIAL,NAME=ferrite\n*ELASTIC,TYPE=ORTHO\n231400.,"));
     EXPECT_THAT(text, HasSubstr("*MATERIAL,NAME=M-2_x\n"));
@@ -124,9 +124,9 @@ TEST(MaterialFiles, AJobHasOneMaterialAPhaseAndThreeSteps) {
 }
 
 TEST(MaterialFiles, AJobHasTheConstantsThatTheUserChooses) {
-    const plane::CellMaterials materials = all_materials();
-    const plane::ElasticChoices choices = plane::parse_elastic_choices(
-        "ferrite:0.3333333333333333,-0.25 m-2_x:162.4,92,69,180.7,46.7");
+    const CellMaterials materials = all_materials();
+    const ElasticChoices choices =
+        parse_elastic_choices("ferrite:0.3333333333333333,-0.25 m-2_x:162.4,92,69,180.7,46.7");
     const std::string text =
         encode_inp(grains(plane::Outline::kWhole),
                    {.materials = &materials, .job = SolverJob::kElastic, .elastic = choices},
@@ -218,7 +218,7 @@ TEST(MaterialFiles, EachSurfaceIsInTheGroupsOfItsCellAndItsPhase) {
 }
 
 TEST(MaterialFiles, APhaseWithoutCellsHasNoGroup) {
-    plane::CellMaterials materials = all_materials();
+    CellMaterials materials = all_materials();
     materials.phase_names.emplace_back("rare");
     const std::string text = msh_text(materials);
     EXPECT_THAT(text, Not(HasSubstr("phase_rare")));

@@ -36,7 +36,7 @@ std::vector<plane::Tile> tiles() {
         all.push_back(
             tile_of(n, {.kind = plane::MeshKind::kGrains, .outline = plane::Outline::kBox}));
     }
-    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
         for (const plane::Tile& tile : testing::walled_tiles(walls)) all.push_back(tile);
     }
     return all;

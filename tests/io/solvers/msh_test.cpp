@@ -98,7 +98,7 @@ std::vector<plane::Tile> random_tiles() {
                                  uniform_points(lattice, n, static_cast<std::uint64_t>(k)));
         tiles.push_back(build_tile(plane::PeriodicDelaunay(sites), options).tile);
     }
-    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
         for (plane::Tile& tile : testing::walled_tiles(walls)) tiles.push_back(std::move(tile));
     }
     for (const plane::Outline outline : {plane::Outline::kWhole, plane::Outline::kBox}) {

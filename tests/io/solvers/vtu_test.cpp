@@ -154,7 +154,7 @@ std::string with_phases(const plane::Tile& tile) {
 TEST(Vtu, PhasesReadBackFromCellsAndGrains) {
     for (const plane::Tile& tile :
          {testing::grid_tile(kSquare, 2, 2), testing::grain_grid_tile(kSquare, 2, 2)}) {
-        const plane::CellMaterials found = read_vtu(with_phases(tile)).materials;
+        const CellMaterials found = read_vtu(with_phases(tile)).materials;
         EXPECT_THAT(found.phase_names, ::testing::ElementsAre("soft", "2nd"));
         EXPECT_THAT(found.site_phase, ::testing::ElementsAre(0, 1, 1, 0));
     }

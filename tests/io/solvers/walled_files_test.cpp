@@ -38,11 +38,11 @@ std::string text_of(const plane::Tile& tile, const std::string& path) {
 plane::Tile channel(int order = 1) {
     const plane::TileOptions grains{
         .kind = plane::MeshKind::kGrains, .outline = plane::Outline::kBox, .order = order};
-    return testing::walled_tile(plane::Walls::kY, plane::WallCells::kWhole, 7, grains);
+    return testing::walled_tile(Walls::kY, WallCells::kWhole, 7, grains);
 }
 
 plane::Tile box() {
-    return testing::walled_tile(plane::Walls::kXY, plane::WallCells::kWhole, 7,
+    return testing::walled_tile(Walls::kXY, WallCells::kWhole, 7,
                                 {.kind = plane::MeshKind::kGrains});
 }
 
@@ -68,7 +68,7 @@ std::vector<std::string> data_of(const std::string& text, const std::string& car
 }
 
 TEST(WalledFiles, TilesReadBackExactlyAndAreProved) {
-    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
         for (const plane::Tile& tile : testing::walled_tiles(walls)) {
             for (const char* path : {"t.msh", "t.inp", "t.vtu"}) {
                 SCOPED_TRACE(path);
@@ -79,8 +79,7 @@ TEST(WalledFiles, TilesReadBackExactlyAndAreProved) {
                 EXPECT_EQ(file.tile.walls, walls);
                 EXPECT_EQ(file.tile.wall_edges, tile.wall_edges);
                 EXPECT_EQ(file.tile.order, tile.order);
-                EXPECT_EQ(file.has_vertex_pairs,
-                          walls != plane::Walls::kXY && file.has_vertex_pairs);
+                EXPECT_EQ(file.has_vertex_pairs, walls != Walls::kXY && file.has_vertex_pairs);
                 EXPECT_EQ(complaint(path, files[0].bytes), "");
             }
         }
@@ -111,7 +110,7 @@ TEST(WalledMsh, ABoxHasNoPeriodicEntities) {
     const std::string text = text_of(box(), "t.msh");
     EXPECT_THAT(text, Not(HasSubstr("$Periodic")));
     EXPECT_THAT(text, Not(HasSubstr("seam_")));
-    for (const plane::WallSideRow& row : plane::kWallSides) EXPECT_THAT(text, HasSubstr(row.word));
+    for (const WallSideRow& row : kWallSides) EXPECT_THAT(text, HasSubstr(row.word));
 }
 
 TEST(WalledMsh, WallElementsInOtherGroupsRemovedOrDoubledAreRefused) {
@@ -166,10 +165,9 @@ TEST(WalledInp, WallsAreSetsAndSurfaces) {
     for (const int order : {1, 2}) {
         const plane::Tile tile = channel(order);
         const std::string text = text_of(tile, "t.inp");
-        const auto n_on = std::count_if(tile.wall_edges.begin(), tile.wall_edges.end(),
-                                        [](const plane::WallEdge& edge) {
-                                            return edge.wall.side() == plane::WallSide::kBottom;
-                                        });
+        const auto n_on = std::count_if(
+            tile.wall_edges.begin(), tile.wall_edges.end(),
+            [](const plane::WallEdge& edge) { return edge.wall.side() == WallSide::kBottom; });
         const auto sides = data_of(text, "*SURFACE,NAME=WALL_BOTTOM_SIDES,TYPE=ELEMENT");
         EXPECT_EQ(static_cast<std::ptrdiff_t>(sides.size()), n_on);
         for (const std::string& side : sides) {
@@ -244,10 +242,10 @@ TEST(WalledFiles, ContentsThatNeedATorusAreRefusedBeforeAnyWork) {
                                 .kind = plane::MeshKind::kGrains,
                                 .outline = plane::Outline::kWhole,
                                 .short_edges = 0,
-                                .walls = plane::Walls::kY,
+                                .walls = Walls::kY,
                                 .files = {.job = SolverJob::kElastic}};
     FormatRequest torus = channel;
-    torus.walls = plane::Walls::kNone;
+    torus.walls = Walls::kNone;
     for (const char* path : {"t.nc", "t.vti", "t.inp"}) {
         EXPECT_NO_THROW(format_of(path).check(torus)) << path;
         try {

@@ -73,12 +73,12 @@ TEST(FileMidsideNodes, FaultsNameTheirLine) {
 TEST(FileMidsideNodes, NodesOnWallsHaveNoPartner) {
     // Walls at the bottom and at the top.
     FileTileBuilder file = two_triangles();
-    file.notes.walls = plane::Walls::kY;
+    file.notes.walls = Walls::kY;
     EXPECT_THAT(fault_of(file), HasSubstr(" lies on a wall, but has a partner; "));
     std::erase(file.vertex_pairs, plane::VertexPair{4, 7, {0, 1}});
     EXPECT_EQ(fault_of(file), "");
     file = two_triangles();
-    file.notes.walls = plane::Walls::kX;
+    file.notes.walls = Walls::kX;
     EXPECT_THAT(fault_of(file), HasSubstr("node 8 lies on a wall, but has a partner; "));
 }
 

@@ -19,7 +19,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 /// The rotation that takes the axes of the sample to those of the crystal: turns about z, the new
 /// x, the new z.
-Eigen::Matrix3d turned_axes(const plane::BungeAngles& angles) {
+Eigen::Matrix3d turned_axes(const BungeAngles& angles) {
     const auto turn = [](double degrees, const Eigen::Vector3d& axis) {
         return Eigen::AngleAxisd(degrees * kDegree, axis);
     };
@@ -33,7 +33,7 @@ TEST(DamaskMaterial, Law1TheQuaternionTurnsTheAxesAsBungesAngles) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> uniform(-400, 400);
     for (int k = 0; k < 1000; ++k) {
-        const plane::BungeAngles angles{uniform(random), uniform(random), uniform(random)};
+        const BungeAngles angles{uniform(random), uniform(random), uniform(random)};
         const Quaternion q = damask_quaternion(angles);
         const Eigen::Quaterniond turn(q[0], q[1], q[2], q[3]);
         EXPECT_NEAR(turn.norm(), 1, 1e-15);
@@ -46,24 +46,24 @@ TEST(DamaskMaterial, Law1TheQuaternionTurnsTheAxesAsBungesAngles) {
 TEST(DamaskMaterial, KnownOrientations) {
     const double root = std::sqrt(0.5);
     for (const auto& [angles, wanted] :
-         {std::pair{plane::BungeAngles{0, 0, 0}, Quaternion{1, 0, 0, 0}},
-          std::pair{plane::BungeAngles{90, 0, 0}, Quaternion{root, 0, 0, root}},
-          std::pair{plane::BungeAngles{0, 90, 0}, Quaternion{root, root, 0, 0}},
-          std::pair{plane::BungeAngles{90, 90, 0}, Quaternion{0.5, 0.5, 0.5, 0.5}},
-          std::pair{plane::BungeAngles{270, 0, 0}, Quaternion{root, 0, 0, -root}}}) {
+         {std::pair{BungeAngles{0, 0, 0}, Quaternion{1, 0, 0, 0}},
+          std::pair{BungeAngles{90, 0, 0}, Quaternion{root, 0, 0, root}},
+          std::pair{BungeAngles{0, 90, 0}, Quaternion{root, root, 0, 0}},
+          std::pair{BungeAngles{90, 90, 0}, Quaternion{0.5, 0.5, 0.5, 0.5}},
+          std::pair{BungeAngles{270, 0, 0}, Quaternion{root, 0, 0, -root}}}) {
         const Quaternion q = damask_quaternion(angles);
         for (int k = 0; k < 4; ++k) EXPECT_NEAR(q[k], wanted[k], 1e-15) << angles.phi1 << " " << k;
     }
 }
 
-plane::CellMaterials two_phases() {
+CellMaterials two_phases() {
     return {.phase_names = {"ferrite", "martensite"},
             .site_phase = {0, 1, 1},
             .site_orientation = {{10, 20, 30}, {0, 0, 0}, {350, 90, 1e-14}}};
 }
 
 TEST(DamaskMaterial, IsReadBack) {
-    for (const plane::CellMaterials& materials : {plane::CellMaterials{}, two_phases()}) {
+    for (const CellMaterials& materials : {CellMaterials{}, two_phases()}) {
         const std::string text = encode_damask_material(3, materials);
         const auto entries = decode_damask_material("m.yaml", text);
         EXPECT_NO_THROW(compare_damask_material("m.yaml", entries, 3, materials));
@@ -74,7 +74,7 @@ TEST(DamaskMaterial, IsReadBack) {
 TEST(DamaskMaterial, PhasesHaveTheConstantsThatTheUserChooses) {
     const std::string text = encode_damask_material(
         3, two_phases(),
-        plane::parse_elastic_choices("ferrite:2e11,0.25 martensite:162e9,92e9,69e9,181e9,47e9"));
+        parse_elastic_choices("ferrite:2e11,0.25 martensite:162e9,92e9,69e9,181e9,47e9"));
     // lambda and mu are 8e10.
     EXPECT_THAT(text,
                 HasSubstr("  ferrite:\n    lattice: cF\n    mechanical:\n      output: [F, P]\n"
@@ -87,14 +87,14 @@ TEST(DamaskMaterial, PhasesHaveTheConstantsThatTheUserChooses) {
     EXPECT_NO_THROW(
         compare_damask_material("m", decode_damask_material("m", text), 3, two_phases()));
     // Cells without phases.
-    EXPECT_THAT(encode_damask_material(3, {}, plane::parse_elastic_choices("grains:231,135,116")),
+    EXPECT_THAT(encode_damask_material(3, {}, parse_elastic_choices("grains:231,135,116")),
                 HasSubstr("  default:\n    lattice: cF\n    mechanical:\n      output: [F, P]\n"
                           "      elastic: {type: Hooke, C_11: 231.0, C_12: 135.0, C_44: 116.0}\n"));
 }
 
 TEST(DamaskMaterial, ATableOfMaterialsThatDiffersIsFound) {
     const auto entries = decode_damask_material("m", encode_damask_material(3, two_phases()));
-    const auto refusal = [&](int n_cells, const plane::CellMaterials& materials) -> std::string {
+    const auto refusal = [&](int n_cells, const CellMaterials& materials) -> std::string {
         try {
             compare_damask_material("m.yaml", entries, n_cells, materials);
         } catch (const BadFile& fault) {
@@ -104,7 +104,7 @@ TEST(DamaskMaterial, ATableOfMaterialsThatDiffersIsFound) {
     };
     EXPECT_THAT(refusal(4, two_phases()),
                 HasSubstr("m.yaml: has 3 materials, but there are 4 cells"));
-    plane::CellMaterials other = two_phases();
+    CellMaterials other = two_phases();
     other.site_phase[1] = 0;
     EXPECT_THAT(refusal(3, other), HasSubstr("m.yaml: material 1 is not that of its cell"));
     other = two_phases();

@@ -4,8 +4,8 @@
 #include "io/bytes/bad_file.hpp"
 #include "io/voxels/vti_reader.hpp"
 #include "io/voxels/vti_writer.hpp"
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/areas/area_cvt.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
 #include "mesher/plane/proof/validate.hpp"
 
 namespace pcvt {
@@ -20,8 +20,8 @@ struct Example {
 
 Example example(int n, plane::VoxelCounts counts) {
     const plane::Lattice lattice = plane::Lattice::rectangle(3, 1);
-    const Eigen::VectorXd areas = plane::scaled_areas(
-        plane::draw_areas(plane::parse_area_law("lognormal:0.42"), n, 1), n, lattice.area());
+    const Eigen::VectorXd areas =
+        scaled_areas(draw_areas(parse_area_law("lognormal:0.42"), n, 1), n, lattice.area());
     const auto result = compute_area_cvt(lattice, uniform_points(lattice, n, 2), {.areas = areas});
     plane::VoxelCells cells{
         .lattice = lattice, .sites = plane::Points(2, n), .weights = result.delaunay.weights()};

@@ -23,21 +23,21 @@ const double kPi = std::numbers::pi;
 
 struct WalledKind {
     plane::MeshKind kind;
-    plane::WallCells cells;
+    WallCells cells;
 };
-const WalledKind kWalledKinds[] = {{plane::MeshKind::kVoronoi, plane::WallCells::kWhole},
-                                   {plane::MeshKind::kVoronoi, plane::WallCells::kHalf},
-                                   {plane::MeshKind::kDelaunay, plane::WallCells::kHalf},
-                                   {plane::MeshKind::kGrains, plane::WallCells::kWhole},
-                                   {plane::MeshKind::kGrains, plane::WallCells::kHalf}};
+const WalledKind kWalledKinds[] = {{plane::MeshKind::kVoronoi, WallCells::kWhole},
+                                   {plane::MeshKind::kVoronoi, WallCells::kHalf},
+                                   {plane::MeshKind::kDelaunay, WallCells::kHalf},
+                                   {plane::MeshKind::kGrains, WallCells::kWhole},
+                                   {plane::MeshKind::kGrains, WallCells::kHalf}};
 
-plane::Tile channel(plane::Walls walls = plane::Walls::kY) {
-    return walled_tile(walls, plane::WallCells::kWhole, 12, {});
+plane::Tile channel(Walls walls = Walls::kY) {
+    return walled_tile(walls, WallCells::kWhole, 12, {});
 }
 
 TEST(ExtrudedWalls, ThePatchesAreTheEdgesOnWalls) {
     std::mt19937_64 random(2);
-    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
         for (const auto& [kind, cells] : kWalledKinds) {
             const int n = static_cast<int>(6 + random() % 30);
             SCOPED_TRACE(std::string(walls_row(walls).word) + ' ' + mesh_kind_row(kind).word + ' ' +
@@ -59,7 +59,7 @@ TEST(ExtrudedWalls, ThePatchesAreTheEdgesOnWalls) {
 
 TEST(ExtrudedWalls, ThePatchesFollowTheSeamInTheOrderOfTheWalls) {
     std::vector<std::string> names;
-    for (const ExtrudedPatch& patch : extruded_mesh(channel(plane::Walls::kXY)).patches) {
+    for (const ExtrudedPatch& patch : extruded_mesh(channel(Walls::kXY)).patches) {
         names.push_back(patch.name);
     }
     EXPECT_THAT(names, ::testing::ElementsAre("wall_left", "wall_right", "wall_bottom", "wall_top",
@@ -67,8 +67,8 @@ TEST(ExtrudedWalls, ThePatchesFollowTheSeamInTheOrderOfTheWalls) {
     const ExtrudedMesh extruded = extruded_mesh(channel());
     const std::size_t n = extruded.patches.size();
     EXPECT_EQ(extruded.patches[n - 5].partner, static_cast<int>(n) - 6);
-    EXPECT_EQ(extruded.patches[n - 4].wall, plane::WallId::side(plane::WallSide::kBottom));
-    EXPECT_EQ(extruded.patches[n - 3].wall, plane::WallId::side(plane::WallSide::kTop));
+    EXPECT_EQ(extruded.patches[n - 4].wall, plane::WallId::side(WallSide::kBottom));
+    EXPECT_EQ(extruded.patches[n - 3].wall, plane::WallId::side(WallSide::kTop));
 }
 
 TEST(ExtrudedWalls, TheThicknessIsTheGivenOne) {
@@ -106,9 +106,9 @@ TEST(ExtrudedWalls, FalseWallsAreRefused) {
                 HasSubstr("lies off its patch wall_top"));
     EXPECT_THAT(wall_fault_after([](ExtrudedMesh&, Patch& low, Patch& high) {
                     low.name = "wall_left";
-                    low.wall = plane::WallId::side(plane::WallSide::kLeft);
+                    low.wall = plane::WallId::side(WallSide::kLeft);
                     high.name = "wall_right";
-                    high.wall = plane::WallId::side(plane::WallSide::kRight);
+                    high.wall = plane::WallId::side(WallSide::kRight);
                 }),
                 HasSubstr(law));
     EXPECT_THAT(wall_fault_after([](ExtrudedMesh&, Patch& low, Patch& high) {
@@ -129,8 +129,7 @@ TEST(ExtrudedWalls, FalseWallsAreRefused) {
 
 TEST(ExtrudedWalls, AWallOnAnInnerLineIsNoWall) {
     // The upper wall lies at y = 1, not at the height.
-    ExtrudedMesh extruded =
-        extruded_mesh(walled_tile(plane::Walls::kXY, plane::WallCells::kWhole, 12, {}));
+    ExtrudedMesh extruded = extruded_mesh(walled_tile(Walls::kXY, WallCells::kWhole, 12, {}));
     extruded.lattice = plane::Lattice::rectangle(2, 1.5);
     EXPECT_THROW(extruded_base(extruded), NotATile);
 }
@@ -138,13 +137,13 @@ TEST(ExtrudedWalls, AWallOnAnInnerLineIsNoWall) {
 TEST(WalledFlow, VanishesOnWallsAndHasNoDivergence) {
     const plane::Lattice lattice = plane::Lattice::rectangle(3, 2);
     const double h = 1e-4;
-    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
         const DecayingFlow flow(lattice, walls);
         double largest = 0;
         for (int k = 0; k <= 60 * 60; ++k) {
             const plane::Vec2 p(k % 61 / 20.0, k / 61 / 30.0);
             largest = std::max(largest, flow.velocity(p).norm());
-            for (const plane::WallSideRow& row : plane::kWallSides) {
+            for (const WallSideRow& row : kWallSides) {
                 if (!has_walls_across(walls, row.axis)) continue;
                 plane::Vec2 on_wall = p;
                 on_wall[row.axis] = wall_line(row.side, lattice);
@@ -167,18 +166,18 @@ TEST(WalledFlow, VanishesOnWallsAndHasNoDivergence) {
 }
 
 TEST(WalledFlow, BetweenTwoWallsItIsASine) {
-    const DecayingFlow along(plane::Lattice::rectangle(3, 2), plane::Walls::kY);
+    const DecayingFlow along(plane::Lattice::rectangle(3, 2), Walls::kY);
     EXPECT_NEAR((along.velocity({0.7, 0.4}) - plane::Vec2(std::sin(kPi * 0.2), 0)).norm(), 0,
                 1e-15);
     EXPECT_DOUBLE_EQ(along.rate(), kPi * kPi / 4);
     EXPECT_DOUBLE_EQ(along.mean_square_speed(), 0.5);
-    const DecayingFlow up(plane::Lattice::rectangle(3, 2), plane::Walls::kX);
+    const DecayingFlow up(plane::Lattice::rectangle(3, 2), Walls::kX);
     EXPECT_NEAR((up.velocity({0.6, 0.4}) - plane::Vec2(0, std::sin(kPi * 0.2))).norm(), 0, 1e-15);
     EXPECT_DOUBLE_EQ(up.rate(), kPi * kPi / 9);
 }
 
 TEST(WalledFlow, InABoxTheRateIsThatOfTheFirstLossOfEnergy) {
-    const DecayingFlow flow(plane::Lattice::rectangle(3, 2), plane::Walls::kXY);
+    const DecayingFlow flow(plane::Lattice::rectangle(3, 2), Walls::kXY);
     EXPECT_FALSE(flow.keeps_shape());
     const int n = 200;
     const double h = 1e-4;
@@ -197,7 +196,7 @@ TEST(WalledFlow, InABoxTheRateIsThatOfTheFirstLossOfEnergy) {
 }
 
 TEST(WalledFlow, OnCellsItKeepsItsMeanAndRests) {
-    const plane::Tile tile = walled_tile(plane::Walls::kY, plane::WallCells::kWhole, 300, {});
+    const plane::Tile tile = walled_tile(Walls::kY, WallCells::kWhole, 300, {});
     const CellFlow cells =
         cell_flow(DecayingFlow(tile.lattice, tile.walls), tile, extruded_mesh(tile));
     EXPECT_FALSE(cells.at_rest);
@@ -209,7 +208,7 @@ TEST(WalledFlow, OnCellsItKeepsItsMeanAndRests) {
     }
     EXPECT_NEAR(flux / tile.lattice.area(), 2 / kPi, 5e-3);
     // One cell across the channel cannot represent the sine.
-    const plane::Tile coarse = walled_tile(plane::Walls::kY, plane::WallCells::kWhole, 1, {});
+    const plane::Tile coarse = walled_tile(Walls::kY, WallCells::kWhole, 1, {});
     EXPECT_TRUE(cell_flow(DecayingFlow(coarse.lattice, coarse.walls), coarse, extruded_mesh(coarse))
                     .at_rest);
 }
@@ -218,7 +217,7 @@ TEST(WalledFlow, WallsDampIt) {
     // Both rows of squares have one speed; only the walls take up momentum.
     plane::Tile tile = testing::grid_tile(plane::Lattice::rectangle(2, 1), 4, 2);
     std::erase_if(tile.edge_pairs, [](const plane::EdgePair& pair) { return pair.offset.j != 0; });
-    tile.walls = plane::Walls::kY;
+    tile.walls = Walls::kY;
     tile.wall_edges = edges_on_walls(tile);
     EXPECT_EQ(tile.wall_edges.size(), 8);
     const DecayingFlow flow(tile.lattice, tile.walls);
@@ -226,7 +225,7 @@ TEST(WalledFlow, WallsDampIt) {
 }
 
 TEST(WalledFlow, OnSmallCellsOfAnyKindItMoves) {
-    for (const plane::Walls walls : {plane::Walls::kX, plane::Walls::kY, plane::Walls::kXY}) {
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
         for (const auto& [kind, wall_cells] : kWalledKinds) {
             const plane::Tile tile = walled_tile(walls, wall_cells, 150, {.kind = kind});
             const DecayingFlow flow(tile.lattice, walls);

@@ -10,7 +10,7 @@
 #include "mesher/plane/geometry/domain.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/grains/grains.hpp"
-#include "mesher/plane/mesh/cell_table.hpp"
+#include "mesher/plane/mesh/cell_measures.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_tiles.hpp"
 #include "tests/support/lattices.hpp"
@@ -43,11 +43,11 @@ plane::Points some_sites(std::mt19937_64& random, const plane::Lattice& lattice,
 WishedAreas some_areas(std::mt19937_64& random, int n) {
     switch (below(random, 4)) {
         case 0:
-            return {.law = plane::parse_area_law("equal"), .name = "equal"};
+            return {.law = parse_area_law("equal"), .name = "equal"};
         case 1:
-            return {.law = plane::parse_area_law("lognormal:0.42"), .name = "lognormal:0.42"};
+            return {.law = parse_area_law("lognormal:0.42"), .name = "lognormal:0.42"};
         case 2:
-            return {.law = plane::parse_area_law("gamma:0.3"), .name = "gamma:0.3"};
+            return {.law = parse_area_law("gamma:0.3"), .name = "gamma:0.3"};
         default:
             Eigen::VectorXd areas(n);
             for (double& a : areas) a = 1 + below(random, 20);
@@ -96,8 +96,8 @@ std::vector<double> areas_by_site(const plane::Tile& tile, int n_sites) {
 
 Eigen::VectorXd wished(const Job& job) {
     const auto& [law, given, name] = *job.areas;
-    return plane::scaled_areas(given.size() > 0 ? given : draw_areas(law, job.n_sites, job.seed),
-                               job.n_sites, job.lattice.area());
+    return scaled_areas(given.size() > 0 ? given : draw_areas(law, job.n_sites, job.seed),
+                        job.n_sites, job.lattice.area());
 }
 
 /// Expects that the faces of each site have its area, also without short edges and in a box.
@@ -187,13 +187,12 @@ TEST(JobAreas, CellsHaveTheAreasExactly) {
         const RunStatistics& run = computed->cells.run;
         EXPECT_EQ(run.stop,
                   run.residual <= job.tolerance ? Stop::kConverged : Stop::kIterationLimit);
-        const plane::CellTable table =
-            cell_table(plane_mesh(computed->cells, plane::MeshKind::kVoronoi));
+        const CellTable table = cell_table(plane_mesh(computed->cells, plane::MeshKind::kVoronoi));
         const Eigen::VectorXd targets = wished(job);
         const double tolerance = std::max(1e-10, computed->cells.areas->rounding);
         for (int s = 0; s < job.n_sites; ++s) {
             // Corners are merged within 1e-9 h.
-            EXPECT_NEAR(table.area[s] / targets[s], 1, 10 * tolerance + 1e-7);
+            EXPECT_NEAR(table.measure[s] / targets[s], 1, 10 * tolerance + 1e-7);
         }
     }
 }
@@ -260,9 +259,8 @@ TEST(JobAreas, SitesOfAFileKeepTheirNumbersAndPlaces) {
         const plane::Vec2 inside = p + job.lattice.translation(domain.offset_into(p));
         EXPECT_LT((sites.col(s) - inside).norm(), 1e-12);
     }
-    const plane::CellTable table =
-        cell_table(plane_mesh(computed.cells, plane::MeshKind::kVoronoi));
-    EXPECT_NEAR(table.area[49] / table.area[0], 3, 1e-8);
+    const CellTable table = cell_table(plane_mesh(computed.cells, plane::MeshKind::kVoronoi));
+    EXPECT_NEAR(table.measure[49] / table.measure[0], 3, 1e-8);
 }
 
 TEST(JobAreas, SortedAreasOfAFileLieAtRandom) {
@@ -300,7 +298,7 @@ TEST(JobAreas, ProgressNamesTheStepsAndRises) {
     for (const int steps : {-1, 0, 3}) {
         Job job;
         job.n_sites = 200;
-        job.areas = WishedAreas{.law = plane::parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+        job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
         job.max_iterations = steps;
         job.tolerance = 1e-3;
         std::string words;
@@ -326,7 +324,7 @@ TEST(JobAreas, ProgressNamesTheStepsAndRises) {
 TEST(JobAreas, AnyCallOfTheCallbackCancels) {
     Job job;
     job.n_sites = 100;
-    job.areas = WishedAreas{.law = plane::parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+    job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
     job.max_iterations = 2;
     for (int last = 0; last < 12; ++last) {
         int n_calls = 0;
@@ -341,7 +339,7 @@ TEST(JobAreas, SitesOfTheReportsAreThoseOfTheFiles) {
     job.n_sites = 30;
     job.lattice = plane::Lattice({1, 0}, {0.4, 0.9});
     job.aspect = Aspect{.ratio = 3, .degrees = 110};
-    job.areas = WishedAreas{.law = plane::parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+    job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
     job.max_iterations = 1;
     job.origin = {3, -2};
     job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kGrains};

@@ -22,8 +22,8 @@ constexpr int kNumberedSites = 64;
 
 /// One combination of the features that change, order or leave out sites.
 struct Features {
-    plane::Walls walls = plane::Walls::kNone;
-    plane::WallCells wall_cells = plane::WallCells::kWhole;
+    Walls walls = Walls::kNone;
+    WallCells wall_cells = WallCells::kWhole;
     bool has_inclusions = false;
     bool has_hole = false;
     /// Sites of a file, in an order of their own, in place of drawn ones.
@@ -38,9 +38,9 @@ struct Features {
     /// Whether the job is one that pcvt accepts.
     bool fit_together() const {
         const bool is_free = !has_inclusions || (!are_given && !has_materials);
-        const bool can_move = walls != plane::Walls::kXY || (!is_repeated && !has_origin);
+        const bool can_move = walls != Walls::kXY || (!is_repeated && !has_origin);
         return is_free && can_move && (has_inclusions || !has_hole) &&
-               (walls != plane::Walls::kNone || wall_cells == plane::WallCells::kWhole);
+               (walls != Walls::kNone || wall_cells == WallCells::kWhole);
     }
     std::string text() const {
         std::ostringstream words;
@@ -55,12 +55,12 @@ struct Features {
 
 /// Calls `visit` for every combination that pcvt accepts.
 void for_all_features(const std::function<void(const Features&)>& visit) {
-    for (const plane::WallsRow& walls : plane::kWalls) {
+    for (const WallsRow& walls : kWalls) {
         for (unsigned bits = 0; bits < 1U << 9U; ++bits) {
             const auto bit = [bits](unsigned k) { return (bits >> k & 1U) != 0; };
             const Features features{
                 .walls = walls.walls,
-                .wall_cells = bit(0) ? plane::WallCells::kHalf : plane::WallCells::kWhole,
+                .wall_cells = bit(0) ? WallCells::kHalf : WallCells::kWhole,
                 .has_inclusions = bit(1),
                 .has_hole = bit(2),
                 .are_given = bit(3),
@@ -97,7 +97,7 @@ Job job_with(const Features& features) {
     if (features.are_given) {
         job.points = scattered_sites(job.lattice);
         // The sites beside walls move onto them.
-        if (features.wall_cells == plane::WallCells::kWhole) job.max_iterations = 0;
+        if (features.wall_cells == WallCells::kWhole) job.max_iterations = 0;
     }
     if (features.has_inclusions) {
         job.inclusions =
@@ -105,7 +105,7 @@ Job job_with(const Features& features) {
         if (features.has_hole) job.holes = {"a"};
     }
     if (features.has_materials) {
-        job.materials.phases = plane::parse_phases("soft:0.6,hard:0.4");
+        job.materials.phases = parse_phases("soft:0.6,hard:0.4");
         job.materials.draws_orientations = true;
     }
     if (features.is_repeated) {

@@ -92,6 +92,15 @@ TEST(Study, AllRunsOfSixSitesAreLattices) {
     EXPECT_EQ(patterns.number(patterns.rows[0], "count"), 20);
 }
 
+// Lattices are told from other arrangements at a residual of 1e-8.
+TEST(Study, RunsOfFewSitesConvergeToTheirTolerance) {
+    const StudyTable runs = all_runs({"fig11", {4, 5}, 10, 0});
+    for (const StudyRow& row : runs.rows) {
+        ASSERT_EQ(row[runs.column("stop")], "converged");
+        EXPECT_LE(runs.number(row, "residual"), 1e-8);
+    }
+}
+
 TEST(Study, TableOneHasThePapersNumbers) {
     const Study study{"table1", {3, 30}, 12, 0};
     const StudyTable table = conclude_study(study, all_runs(study)).tables[0];

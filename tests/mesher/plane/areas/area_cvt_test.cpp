@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "mesher/base/error.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
-#include "mesher/plane/mesh/cell_table.hpp"
+#include "mesher/plane/mesh/cell_measures.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "mesher/plane/proof/generated_tile.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
@@ -25,7 +25,7 @@ Eigen::VectorXd law_areas(const char* law, const Lattice& lattice, int n, std::u
 double largest_error(const CellTable& cells, const Eigen::VectorXd& areas) {
     double largest = 0;
     for (SiteId s = 0; s < cells.n_cells(); ++s) {
-        largest = std::max(largest, std::abs(cells.area[s] - areas[s]) / areas[s]);
+        largest = std::max(largest, std::abs(cells.measure[s] - areas[s]) / areas[s]);
     }
     return largest;
 }

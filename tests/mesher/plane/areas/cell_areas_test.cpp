@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "mesher/base/error.hpp"
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/areas/area_cvt.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
 #include "tests/support/clipped_power_cells.hpp"
 #include "tests/support/lattices.hpp"
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "mesher/plane/cvt/walled_cvt.hpp"
 #include "mesher/plane/density/density_survey.hpp"
 #include "mesher/plane/mesh/valence.hpp"
@@ -20,6 +22,13 @@ double defects(const CvtResult& result) {
     std::vector<int> valence(static_cast<std::size_t>(t.n_sites()));
     for (int h = 0; h < t.n_halfedges(); ++h) ++valence[t.corner(h).site];
     return 1 - double(std::count(valence.begin(), valence.end(), 6)) / t.n_sites();
+}
+
+// Two neighbours of a hexagonal arrangement are an edge apart, and each cell has the area
+// sqrt(3) / 2 of the square of that edge.
+TEST(CoarseStart, KnowsTheSpacingOfAHexagonalArrangement) {
+    const Lattice cell({1, 0}, {0.5, std::sqrt(0.75)});
+    EXPECT_NEAR(kSpacingPerEdge, Sites(cell, Points::Zero(2, 1)).spacing(), 1e-15);
 }
 
 TEST(CoarseStart, ReturnsTheRequestedNumberOfDistinctSites) {

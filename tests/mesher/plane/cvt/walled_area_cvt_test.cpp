@@ -8,8 +8,8 @@
 #include <random>
 
 #include "mesher/base/error.hpp"
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/areas/cell_areas.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "mesher/plane/mesh/walled_mesh.hpp"

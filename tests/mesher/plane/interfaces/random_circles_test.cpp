@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mesher/base/error.hpp"
+#include "mesher/plane/geometry/walled_domain.hpp"
 #include "mesher/plane/interfaces/inclusion_set.hpp"
 #include "tests/support/lattices.hpp"
 

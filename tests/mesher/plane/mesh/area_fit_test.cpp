@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mesher/plane/areas/target_areas.hpp"
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/mesh/short_edges.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"

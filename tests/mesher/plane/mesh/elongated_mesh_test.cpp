@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "mesher/base/error.hpp"
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/areas/area_cvt.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
-#include "mesher/plane/mesh/cell_table.hpp"
+#include "mesher/plane/mesh/cell_measures.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "mesher/plane/proof/generated_tile.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
@@ -27,7 +27,7 @@ TEST(ElongatedMesh, CellsKeepTheirAreasAndTheirNeighbours) {
         const CellTable before = cell_table(there);
         const CellTable after = cell_table(here);
         for (SiteId s = 0; s < 40; ++s) {
-            EXPECT_NEAR(after.area[s], before.area[s], 1e-11 * before.area[s]) << name;
+            EXPECT_NEAR(after.measure[s], before.measure[s], 1e-11 * before.measure[s]) << name;
         }
     }
 }

@@ -96,6 +96,7 @@ TEST(ShortEdges, SquashNoCell) {
     for (int f = 0; f < cells.n_faces(); ++f) {
         least = std::min(least, area(left, f) / area(cells, f));
     }
+    std::fprintf(stderr, "LEAST %g\n", least);
     EXPECT_GT(least, 0.1);
 }
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/areas/area_cvt.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/proof/site_labels.hpp"
 #include "mesher/plane/tile/build_tile.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <random>
 
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/areas/area_cvt.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/special_sites.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/areas/area_cvt.hpp"
-#include "mesher/plane/areas/target_areas.hpp"
 #include "mesher/plane/proof/validate.hpp"
 
 namespace pcvt::plane {

@@ -45,7 +45,9 @@ Eigen::VectorXd gradient_at(const Sites& sites, const Points& coordinates) {
     Energy energy;
     EnergySums().run(periodic_delaunay(moved).tetrahedra, moved.coordinates(), frame_of(sites),
                      workers, energy);
-    return energy.gradient;
+    return energy.gradient.reshaped(MovingTetrahedra::kNumbersPerSite, sites.n_sites())
+        .topRows(3)
+        .reshaped();
 }
 
 /// Law (1).

@@ -84,7 +84,7 @@ TEST(Energy, GradientEqualsDifferences) {
                 return energy_of(Sites(lattice, sites.reduction(), u)).value;
             };
             const double difference = (moved(step) - moved(-step)) / (2 * step);
-            EXPECT_NEAR(energy.gradient[3 * s + axis], difference,
+            EXPECT_NEAR(energy.gradient[MovingTetrahedra::kNumbersPerSite * s + axis], difference,
                         1e-6 * lattice.volume() * sites.spacing());
         }
     }
@@ -109,7 +109,8 @@ TEST(Energy, SlowSumsAndBound) {  // laws 2 to 4
         const double volume = sites.lattice().volume();
         EXPECT_NEAR(energy.mass.sum(), volume, 1e-12 * volume);
         EXPECT_GT(energy.mass.minCoeff(), 0);
-        const Eigen::Map<const Points> gradient(energy.gradient.data(), 3, sites.n_sites());
+        const auto gradient =
+            energy.gradient.reshaped(MovingTetrahedra::kNumbersPerSite, sites.n_sites());
         EXPECT_LT(gradient.rowwise().sum().norm(),
                   1e-11 * volume * sites.reduction().reduced.c().norm());
         const double radius = std::cbrt(3 * volume / sites.n_sites() / (4 * std::acos(-1.0)));

@@ -1,0 +1,50 @@
+#include "mesher/cells/material_choices.hpp"
+
+#include <algorithm>
+
+#include "mesher/base/error.hpp"
+#include "mesher/cells/orientations.hpp"
+#include "mesher/cells/phase_assignment.hpp"
+
+namespace pcvt {
+
+void require_orientations(const MaterialChoices& choices, int n_sites) {
+    if (choices.orientations.empty()) return;
+    if (choices.orientations.size() == static_cast<std::size_t>(n_sites)) return;
+    throw InvalidInput("there are " + std::to_string(choices.orientations.size()) +
+                       " orientations for " + std::to_string(n_sites) +
+                       " sites; give one for each site");
+}
+
+CellMaterials choose_materials(const MaterialChoices& choices, const CellTable& cells,
+                               std::uint64_t seed) {
+    require_orientations(choices, cells.n_cells());
+    CellMaterials materials;
+    std::vector<double> fractions;
+    for (const PhaseFraction& phase : choices.phases) {
+        materials.phase_names.push_back(phase.name);
+        fractions.push_back(phase.fraction);
+    }
+    if (!fractions.empty()) materials.site_phase = assign_phases(cells, fractions, seed);
+    materials.site_orientation = choices.draws_orientations
+                                     ? random_orientations(cells.n_cells(), seed)
+                                     : choices.orientations;
+    return materials;
+}
+
+std::vector<PhaseFigures> phase_figures(const MaterialChoices& choices,
+                                        const CellMaterials& materials, const CellTable& cells) {
+    if (choices.phases.empty()) return {};
+    const std::vector<double> shares =
+        phase_shares(cells, materials.site_phase, choices.phases.size());
+    std::vector<PhaseFigures> figures;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        const auto n_cells = std::count(materials.site_phase.begin(), materials.site_phase.end(),
+                                        static_cast<int>(k));
+        figures.push_back({choices.phases[k].name, choices.phases[k].fraction, shares[k],
+                           static_cast<int>(n_cells)});
+    }
+    return figures;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesher/cells/cell_materials.hpp"
+#include "mesher/cells/cell_table.hpp"
+#include "mesher/cells/phase_fractions.hpp"
+
+namespace pcvt {
+
+/// The materials that a user wants.
+struct MaterialChoices {
+    /// As checked_phases() returns them; empty: no phases.
+    std::vector<PhaseFraction> phases = {};
+    bool draws_orientations = false;
+    /// Of the sites 0 ... n - 1, unless they are drawn; empty: no orientations.
+    std::vector<BungeAngles> orientations = {};
+
+    bool has_orientations() const { return draws_orientations || !orientations.empty(); }
+    bool empty() const { return phases.empty() && !has_orientations(); }
+};
+
+/// The wished and the reached share of a phase.
+struct PhaseFigures {
+    std::string name;
+    /// Shares of the area.
+    double wanted;
+    double reached;
+    int n_cells;
+};
+
+/// Gives each cell its phase and its orientation.
+///
+/// Example usage:
+///
+///     const CellMaterials materials =
+///         choose_materials({.phases = parse_phases("a:0.3,b:0.7")}, cells, seed);
+///
+/// @throws InvalidInput if there is not one orientation for each cell.
+CellMaterials choose_materials(const MaterialChoices& choices, const CellTable& cells,
+                               std::uint64_t seed);
+
+/// @throws InvalidInput if there are orientations, but not n_sites.
+void require_orientations(const MaterialChoices& choices, int n_sites);
+
+/// One entry a phase.
+std::vector<PhaseFigures> phase_figures(const MaterialChoices& choices,
+                                        const CellMaterials& materials, const CellTable& cells);
+
+}  // namespace pcvt
