@@ -96,8 +96,8 @@ TEST(ShortEdges, SquashNoCell) {
     for (int f = 0; f < cells.n_faces(); ++f) {
         least = std::min(least, area(left, f) / area(cells, f));
     }
-    std::fprintf(stderr, "LEAST %g\n", least);
-    EXPECT_GT(least, 0.1);
+    // Each removal leaves half of a cell, and few cells lose more than one edge.
+    EXPECT_GT(least, 0.35);
 }
 
 // Law 3.
