@@ -125,9 +125,11 @@ TEST(JobProgress, ALongStepIsReportedTenTimesASecond) {
     recorder.monitor.watch([&] {
         recorder.monitor.begin(Phase::kBuilding, "building");
         recorder.monitor.advance(0.5);
-        std::this_thread::sleep_for(650ms);
+        std::this_thread::sleep_for(1500ms);
     });
+    // Of fifteen, as many as a busy machine lets through, and one at the beginning and the end.
     EXPECT_GE(recorder.fractions.size(), 5U);
+    EXPECT_LE(recorder.fractions.size(), 17U);
     EXPECT_EQ(recorder.fractions.back(), 0.5);
 }
 
@@ -164,8 +166,11 @@ TEST(JobProgress, AFaultOfTheCallbackEndsTheWork) {
     bool went_on = false;
     const auto work = [&] {
         monitor.begin(Phase::kBuilding, "building");
-        std::this_thread::sleep_for(50ms);
-        monitor.advance(0.5);
+        // The callback runs on another thread, which a busy machine may start late.
+        for (int k = 0; k < 1000; ++k) {
+            std::this_thread::sleep_for(10ms);
+            monitor.advance(0.5);
+        }
         went_on = true;
     };
     EXPECT_THROW(monitor.watch(work), std::out_of_range);
