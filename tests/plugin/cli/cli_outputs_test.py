@@ -126,23 +126,26 @@ class Outputs(CliTest):
 
     def test_runs_that_replace_the_same_files_leave_the_files_of_one_run(self):
         for spatial in ([], ["--period", "1,1,1"]):
-            outputs = ["-o", "z.foam", "-o", "new/z.ply", "-o", "z.obj"]
-            for _ in range(4):
-                runs = [subprocess.Popen([self.binary(), "mesh", "--sites", "20", "--seed", str(k), "--max-iterations",
-                                          "2", "--threads", "1", "--quiet", "--force", *outputs, *spatial],
-                                         cwd=self.folder, stderr=subprocess.PIPE) for k in range(8)]
-                for run in runs:
-                    self.assertEqual((run.communicate()[1], run.returncode), (b"", 0))
+            runs = [["mesh", "--sites", "20", "--seed", str(k), "--max-iterations", "2", "--threads", "1", "--quiet",
+                     "--force", "-o", "z.foam", "-o", "new/z.ply", "-o", "z.obj", *spatial] for k in range(8)]
+
+            def contents_left():
                 found = self.contents()
-                matching = []
-                for k in range(8):
-                    self.succeed("mesh", "--sites", 20, "--seed", k, "--max-iterations", 2, "--quiet", "--force",
-                                 *outputs, *spatial)
-                    matching.append(self.contents() == found)
-                self.assertEqual(sum(matching), 1)
                 shutil.rmtree(self.path("z.foam"))
                 shutil.rmtree(self.path("new"))
                 self.path("z.obj").unlink()
+                return found
+
+            alone = []
+            for run in runs:
+                self.succeed(*run)
+                alone.append(contents_left())
+            for _ in range(4):
+                begun = [subprocess.Popen([self.binary(), *run], cwd=self.folder, stderr=subprocess.PIPE)
+                         for run in runs]
+                for run in begun:
+                    self.assertEqual((run.communicate()[1], run.returncode), (b"", 0))
+                self.assertEqual(alone.count(contents_left()), 1)
 
 
 if __name__ == "__main__":
