@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "mesher/cells/cell_materials.hpp"
+#include "mesher/cells/cell_table.hpp"
 #include "mesher/plane/geometry/lattice.hpp"
-#include "mesher/plane/mesh/cell_measures.hpp"
 
 namespace pcvt {
 

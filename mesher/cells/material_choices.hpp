@@ -21,10 +21,10 @@ struct MaterialChoices {
     bool empty() const { return phases.empty() && !has_orientations(); }
 };
 
-/// The wished and the reached share of a phase.
+/// The target share and the reached share of a phase.
 struct PhaseFigures {
     std::string name;
-    /// Shares of the area.
+    /// Shares of the total area, or volume.
     double wanted;
     double reached;
     int n_cells;

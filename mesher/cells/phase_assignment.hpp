@@ -38,7 +38,7 @@ namespace pcvt {
 std::vector<int> assign_phases(const CellTable& cells, std::span<const double> fractions,
                                std::uint64_t seed);
 
-/// The share of the area that each of `n_phases` phases has.
+/// The share of the total area, or volume, that each of `n_phases` phases has.
 std::vector<double> phase_shares(const CellTable& cells, std::span<const int> site_phase,
                                  std::size_t n_phases);
 

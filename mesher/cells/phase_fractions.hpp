@@ -6,7 +6,7 @@
 
 namespace pcvt {
 
-/// A phase of a polycrystal, and the share of the area that it shall have.
+/// A phase of a polycrystal, and its target share of the area, or volume.
 struct PhaseFraction {
     std::string name;
     /// Above 0; the fractions of all phases sum to 1.

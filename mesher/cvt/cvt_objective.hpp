@@ -2,9 +2,11 @@
 
 #include <cmath>
 
+#include "mesher/base/workers.hpp"
 #include "mesher/cvt/energy.hpp"
 #include "mesher/cvt/residuals.hpp"
 #include "mesher/cvt/site_constraints.hpp"
+#include "mesher/cvt/solvers.hpp"
 #include "mesher/optimize/objective.hpp"
 
 namespace pcvt {
@@ -71,7 +73,7 @@ class CvtObjective : public Objective {
     const SiteConstraints<Moving>& constraints() const { return constraints_; }
 
    private:
-    /// Leaves a trial that was not accepted, to where the next step may begin.
+    /// Undoes a trial that was not accepted, as far as the next step requires.
     bool leave_trial() {
         if constexpr (Moving::kStepsUnrestored) {
             if (!moving_.settled()) moving_.step_back();
@@ -85,7 +87,11 @@ class CvtObjective : public Objective {
 
     bool try_step(const Eigen::VectorXf& direction, double t) {
         if (t != 0) {
-            if (!moving_.step(direction, t, workers_)) return false;
+            if (!moving_.step(direction, t, workers_)) {
+                // Where steps begin unrestored, the tetrahedra are those of the trial before.
+                if constexpr (Moving::kStepsUnrestored) pass_.evaluate(energy_);
+                return false;
+            }
             if (!constraints_.admit(moving_)) return false;
         }
         return pass_.evaluate(energy_);
@@ -109,7 +115,7 @@ double longest_move(const Moving& moving) {
 /// Minimises the energy of moving sites by one of the solvers of solvers.hpp.
 /// @param options  progress reports values in length units.
 /// @returns the figures of the run, with the energy in length units.
-template <class Moving, class Minimize>
+template <class Moving>
 RunStatistics minimize_energy(const Moving& moving, Objective& objective, Minimize minimize,
                               OptimizerOptions options, Workers& workers) {
     const double value_unit = std::pow(moving.unit(), Moving::kDimension + 2);

@@ -16,8 +16,8 @@ class SiteGuard {
     ~SiteGuard() = default;
 };
 
-/// What a run may not change: sites, numbered as in the moving triangulation, and their guard's
-/// condition.
+/// The constraints of a run: fixed sites, numbered as in the moving triangulation, and a guard of
+/// positions.
 template <class Moving>
 struct SiteConstraints {
     FixedBlocks fixed;

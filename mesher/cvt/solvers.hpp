@@ -31,7 +31,7 @@ struct SolverRow {
     Minimize minimize;
     /// With a density, where an evaluation costs far more than a product with the Hessian.
     Minimize minimize_density;
-    /// Whether CvtOptions::precondition_below applies.
+    /// Whether plane::CvtOptions::precondition_below applies.
     bool preconditions;
 };
 

@@ -15,6 +15,7 @@
 #include "mesher/cells/material_choices.hpp"
 #include "mesher/cells/orientations.hpp"
 #include "mesher/cells/target_areas.hpp"
+#include "mesher/cvt/solvers.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/search/lattice_stability.hpp"
 #include "mesher/plane/symmetry/plane_group.hpp"

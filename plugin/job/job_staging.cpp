@@ -8,6 +8,7 @@
 #include "io/bytes/output_error.hpp"
 #include "io/file_proof.hpp"
 #include "mesher/base/workers.hpp"
+#include "mesher/plane/mesh/cell_measures.hpp"
 #include "plugin/job/version.hpp"
 
 namespace pcvt {

@@ -10,6 +10,7 @@
 
 #include "io/bytes/output_error.hpp"
 #include "io/space_formats.hpp"
+#include "mesher/cvt/solvers.hpp"
 #include "mesher/space/cvt/cvt.hpp"
 #include "mesher/space/cvt/minimum.hpp"
 #include "mesher/space/mesh/short_edges.hpp"

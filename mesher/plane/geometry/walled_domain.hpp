@@ -28,10 +28,11 @@ inline Lattice mirrored_lattice(const Lattice& domain, Walls walls) {
     return domain.repeated(has_walls_across(walls, 0) ? 2 : 1, has_walls_across(walls, 1) ? 2 : 1);
 }
 
-/// The part of a torus that lies between walls; the rest of the torus are its mirror images.
+/// The part of a torus that lies between walls; the rest of the torus consists of its
+/// mirror images.
 struct WalledDomain {
     Walls walls = Walls::kY;
-    /// Of the domain: upright. The torus has mirrored_lattice(lattice, walls).
+    /// The upright lattice of the domain. The torus has mirrored_lattice(lattice, walls).
     Lattice lattice = Lattice::rectangle(1, 1);
     /// Sites of the domain, numbered before their images; those on walls are counted whole.
     int n_sites = 0;
@@ -41,7 +42,7 @@ struct WalledDomain {
     WalledDomain repeated(int columns, int rows) const {
         return {walls, lattice.repeated(columns, rows), n_sites, n_on_walls};
     }
-    /// Of a general point.
+    /// The number of images of a general point.
     int n_images() const { return pcvt::n_images(walls); }
 };
 

@@ -1,6 +1,6 @@
 #include "mesher/space/cvt/cvt.hpp"
 
-#include <cmath>
+#include <utility>
 
 #include "mesher/cvt/cvt_objective.hpp"
 #include "mesher/portable/portable_functions.hpp"

@@ -6,7 +6,7 @@
 namespace pcvt::space {
 
 struct CvtOptions {
-    /// There is no Hessian, so that Newton's method has no part in a run.
+    /// In space the objective has no Hessian, so kNewton and kLbfgs both run L-BFGS alone.
     Solver solver = Solver::kLbfgs;
     /// The run has converged once every |x_i - g_i| / h is at most this, h the cube root of
     /// volume / n.

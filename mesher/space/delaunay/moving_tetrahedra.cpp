@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "mesher/space/delaunay/tetrahedra_untangling.hpp"
 #include "mesher/space/geometry/hilbert_curve.hpp"

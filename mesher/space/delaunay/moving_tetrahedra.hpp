@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "mesher/base/workers.hpp"
 #include "mesher/space/delaunay/frame.hpp"
@@ -28,13 +30,15 @@ struct Suspects {
 ///
 /// `step()` moves the sites to a trial position, where the triangulation must be restored. Then
 /// either `settle()` accepts the position, or `step_back()` returns to the old one, where the
-/// triangulation must be restored as well before it is used. A pass over all tetrahedra finds the
-/// suspects, restores, and says so by certify(): EnergyPass::evaluate.
+/// triangulation must be restored as well before it is used. EnergyPass::evaluate restores it: a
+/// pass over all tetrahedra finds the suspects, restore() or rebuild() repairs them, and certify()
+/// ends.
 ///
 /// Example usage:
 ///
 ///     MovingTetrahedra moving(sites);
 ///     EnergyPass pass(moving, workers);
+///     Energy energy;
 ///     pass.evaluate(energy);
 ///     const double before = energy.value;
 ///     if (moving.step(direction, t, workers)) {
@@ -49,8 +53,8 @@ struct Suspects {
 class MovingTetrahedra {
    public:
     static constexpr int kDimension = 3;
-    /// The numbers in a direction for each site: x, y, z, and a zero, so that a site is two whole
-    /// pairs of variables (objective.hpp).
+    /// The numbers in a direction for each site: x, y, z, and one that is ignored and is zero in
+    /// gradients, so that a site is two whole pairs of variables (objective.hpp).
     static constexpr int kNumbersPerSite = 4;
     /// Whether a step may begin where the triangulation is not restored.
     static constexpr bool kStepsUnrestored = true;
@@ -97,7 +101,7 @@ class MovingTetrahedra {
     /// Builds the triangulation from scratch.
     /// @returns false if two sites coincide: the only valid next call is then step_back.
     bool rebuild();
-    /// Notes that law (1) holds at the current positions.
+    /// Notes that law (1) holds at the current positions. It may renumber the tetrahedra.
     void certify();
 
     /// Returns the sites and their triangulation in the numbering of the constructor's argument.

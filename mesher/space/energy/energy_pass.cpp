@@ -1,5 +1,6 @@
 #include "mesher/space/energy/energy_pass.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "mesher/base/error.hpp"

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "mesher/base/workers.hpp"
+#include "mesher/space/delaunay/moving_tetrahedra.hpp"
 #include "mesher/space/energy/energy.hpp"
 
 namespace pcvt::space {
 
-/// The energy of moving sites. The pass that evaluates it also certifies the triangulation.
+/// Evaluates the energy of moving sites, and certifies or restores the triangulation in the same
+/// pass.
 ///
 /// Example usage:
 ///
@@ -30,6 +33,8 @@ class EnergyPass {
     /// Repairs the triangulation, and corrects the energy.
     /// @returns false if the triangulation must be built from scratch.
     bool restore(Suspects wrong, Energy& energy);
+    /// Corrects the energy for exchanged tetrahedra if this costs less than another pass.
+    /// @returns false if another pass must compute it.
     bool correct(ExchangedTetrahedra exchanged, Energy& energy) const;
 
     MovingTetrahedra& moving_;

@@ -72,7 +72,8 @@ int n_pixels(const RgbImage& image, PackedColour colour) {
     return n;
 }
 
-// Dark edges part cells whose colours form a scale; grey ones part the few colours of sides.
+// Dark edges separate cells whose colours form a scale; grey ones separate the few colours of
+// sides.
 TEST(PngWriter, EdgesAreAsDarkAsTheirColouringNeeds) {
     constexpr PackedColour kGrey = 0x565c68;
     constexpr PackedColour kDark = 0x262a33;

@@ -6,6 +6,7 @@
 
 #include "io/bytes/bad_file.hpp"
 #include "io/run_files/cell_reader.hpp"
+#include "mesher/plane/mesh/cell_measures.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 
 namespace pcvt {

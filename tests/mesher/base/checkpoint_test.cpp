@@ -75,8 +75,8 @@ TEST(Checkpoint, ACancelledLoopLeavesOutTheTasksThatHaveNotBegun) {
         Counter counter(10);
         const ClientScope scope(&counter);
         std::atomic<int> n_done = 0;
-        // Tasks that take a while, because a busy system may stop the thread that cancels, before
-        // it has told the others: they can't do many tasks until it runs again.
+        // Each task takes a while: a busy system may stop the cancelling thread before it has
+        // stopped the others, which must not finish many tasks meanwhile.
         const auto task = [&](int) {
             ++n_done;
             std::this_thread::sleep_for(std::chrono::milliseconds(1));

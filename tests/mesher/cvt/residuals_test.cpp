@@ -8,7 +8,7 @@
 namespace pcvt {
 namespace {
 
-// Numbers of sites around the number of lanes and the size of a task.
+/// Takes numbers of sites around the number of lanes and the size of a task.
 /// @param numbers  numbers a site; the fourth one is zero.
 void expect_gradients_over_twice_the_masses(Eigen::Index numbers) {
     std::mt19937_64 random(1);

@@ -4,6 +4,7 @@ import fcntl
 import os
 import shutil
 import signal
+import statistics
 import subprocess
 import time
 
@@ -120,8 +121,9 @@ class Outputs(CliTest):
                                  (b"pcvt: cancelled; nothing was written\n", 130))
                 seconds.append(time.monotonic() - began)
                 self.assertEqual([p.name for p in self.folder.iterdir()], [".pcvt-lock"])
-        # A busy machine may delay one of them.
-        self.assertLess(sorted(seconds)[1], 1)
+        # A busy machine may delay some of them, but not most.
+        self.assertEqual(len(seconds), len(self.WRITERS))
+        self.assertLess(statistics.median_low(seconds), 1)
         self.assertLess(max(seconds), 10)
 
     def test_runs_that_replace_the_same_files_leave_the_files_of_one_run(self):

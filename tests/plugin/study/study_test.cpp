@@ -92,7 +92,7 @@ TEST(Study, AllRunsOfSixSitesAreLattices) {
     EXPECT_EQ(patterns.number(patterns.rows[0], "count"), 20);
 }
 
-// Lattices are told from other arrangements at a residual of 1e-8.
+// A residual of 1e-8 distinguishes lattices from other arrangements.
 TEST(Study, RunsOfFewSitesConvergeToTheirTolerance) {
     const StudyTable runs = all_runs({"fig11", {4, 5}, 10, 0});
     for (const StudyRow& row : runs.rows) {
