@@ -13,7 +13,7 @@ constexpr Eigen::Index kSitesPerTask = 1 << 14;
 /// Number of partial sums; with fewer than 16 GCC does not vectorise the loop.
 constexpr Eigen::Index kLanes = 16;
 
-/// Maximum and sum of the squares of the sites.
+/// Maximum and sum of the squared residuals of sites, up to a factor that all of them share.
 struct Squares {
     double largest = 0;
     double sum = 0;
