@@ -5,7 +5,7 @@
 namespace pcvt {
 
 plane::Vec2 gltf_translation(const plane::Tile& tile) {
-    return tile.lattice.to_plane(distant_periods(tile));
+    return tile.lattice.to_position(distant_periods(tile));
 }
 
 plane::Tile moved_by(plane::Tile tile, const plane::Vec2& way) {

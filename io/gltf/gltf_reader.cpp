@@ -298,7 +298,7 @@ plane::MeshKind tile_kind(const Finding& finding) {
 void require_whole_periods(const GltfDocument& document, const plane::Lattice& lattice,
                            const plane::Vec2& translation) {
     const plane::Vec2 periods = lattice.to_lattice(translation).array().round().matrix();
-    if (translation == lattice.to_plane(periods)) return;
+    if (translation == lattice.to_position(periods)) return;
     document.throw_bad_file(
         "the translation of its node is not a sum of whole periods; write the file again with "
         "pcvt");

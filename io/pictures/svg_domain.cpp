@@ -29,7 +29,7 @@ std::optional<plane::Vec2> box_corner(const plane::Tile& tile) {
         high = high.cwiseMax(u);
     }
     if ((high - low).maxCoeff() > 1 + kLatticeRounding) return std::nullopt;
-    return tile.lattice.to_plane(low);
+    return tile.lattice.to_position(low);
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ SvgDomain drawn_domain(const plane::Tile& tile) {
     }
     const plane::Vec2 middle = basis.to_lattice(low + (high - low) / 2);
     const plane::Vec2 corner =
-        basis.to_plane((middle - plane::Vec2(0.5, 0.5)).array().round().matrix());
+        basis.to_position((middle - plane::Vec2(0.5, 0.5)).array().round().matrix());
     return {{corner, corner + basis.a(), corner + basis.a() + basis.b(), corner + basis.b()},
             oblique ? "reduced domain" : "domain"};
 }

@@ -178,7 +178,7 @@ class SiteImages {
             for (; found != sorted_.end() && found->first <= at + turn + width; ++found) {
                 const space::Vec3 difference = lattice_.to_lattice(point - found->second);
                 const space::Vec3 rest = difference - space::Vec3(difference.array().round());
-                if (lattice_.to_space(rest).norm() <= distance) return true;
+                if (lattice_.to_position(rest).norm() <= distance) return true;
             }
             return false;
         });

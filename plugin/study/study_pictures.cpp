@@ -62,7 +62,7 @@ std::vector<plane::Polygon> pieces_in_domain(const plane::Lattice& lattice,
                 u, [&](const plane::Vec2& p) { return plane::Vec2(p - plane::Vec2(i, j)); }));
             if (piece.size() < 3 || std::abs(plane::polygon_area(piece)) < kSliver) continue;
             pieces.push_back(
-                mapped(piece, [&](const plane::Vec2& p) { return lattice.to_plane(p); }));
+                mapped(piece, [&](const plane::Vec2& p) { return lattice.to_position(p); }));
         }
     }
     return pieces;
@@ -76,7 +76,7 @@ void add_dots(const plane::Lattice& lattice, const plane::Vec2& site,
     for (const double i : {0.0, 1.0}) {
         for (const double j : {0.0, 1.0}) {
             const plane::Vec2 image = inside + plane::Vec2(i, j);
-            if (image.maxCoeff() <= 1 + kOnBorder) dots.push_back(lattice.to_plane(image));
+            if (image.maxCoeff() <= 1 + kOnBorder) dots.push_back(lattice.to_position(image));
         }
     }
 }

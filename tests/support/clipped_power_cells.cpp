@@ -21,7 +21,7 @@ std::vector<plane::Polygon> clipped_power_cells(const plane::Sites& sites,
                 for (int j = -kFarthest; j <= kFarthest; ++j) {
                     if (s == t && i == 0 && j == 0) continue;
                     const plane::Vec2 u = sites.coordinates().col(t) - sites.coordinates().col(s);
-                    const plane::Vec2 d = reduced.to_plane(u + plane::Vec2(i, j));
+                    const plane::Vec2 d = reduced.to_position(u + plane::Vec2(i, j));
                     cell = plane::clipped(cell, d, (d.squaredNorm() + weights[s] - weights[t]) / 2);
                 }
             }

@@ -191,7 +191,7 @@ std::string difference_from_pieces(const plane::MovingDelaunay& delaunay, const 
             sites.coordinates().col(piece.site) + plane::Vec2(piece.offset.i, piece.offset.j);
         plane::Polygon polygon;
         for (const plane::Vec2& u : piece.polygon) {
-            polygon.push_back(delaunay.frame().to_plane(u - origin));
+            polygon.push_back(delaunay.frame().to_position(u - origin));
         }
         integrate(polygon, piece.site, sum);
     }

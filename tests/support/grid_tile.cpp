@@ -12,7 +12,7 @@ plane::Tile grid_vertices(const plane::Lattice& lattice, plane::MeshKind kind, i
         for (int i = 0; i <= columns; ++i) {
             const plane::Offset offset{i / columns, j / rows};
             const plane::Vec2 u(double(i % columns) / columns, double(j % rows) / rows);
-            tile.points.push_back(lattice.to_plane(u) + lattice.translation(offset));
+            tile.points.push_back(lattice.to_position(u) + lattice.translation(offset));
             if (offset != plane::Offset{}) {
                 tile.vertex_pairs.push_back({id(i % columns, j % rows), id(i, j), offset});
             }

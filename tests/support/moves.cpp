@@ -31,7 +31,7 @@ Eigen::VectorXf displaced(const plane::MovingDelaunay& delaunay, const Displacem
     Eigen::VectorXf move(2 * delaunay.n_sites());
     for (SiteId s = 0; s < delaunay.n_sites(); ++s) {
         const plane::Vec2 d = displacement(s);
-        move.segment<2>(2 * s) = delaunay.frame().to_plane(d).cast<float>();
+        move.segment<2>(2 * s) = delaunay.frame().to_position(d).cast<float>();
     }
     return move;
 }

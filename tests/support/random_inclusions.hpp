@@ -91,7 +91,7 @@ inline std::vector<plane::Inclusion> random_inclusions(const plane::Lattice& lat
         plane::Vec2 u(unit(random), unit(random));
         if (k < wanted.n_across) u[0] = 0;
         if (k < wanted.n_across && k % 2 == 1) u[1] = 0;
-        const plane::Vec2 centre = lattice.to_plane(u);
+        const plane::Vec2 centre = lattice.to_position(u);
         const double radius = mean * (0.6 + 0.6 * unit(random));
         const plane::Shape shape = random_shape(centre, radius, random);
         const auto* polygon = std::get_if<plane::Polygon>(&shape);

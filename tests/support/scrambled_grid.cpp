@@ -16,7 +16,7 @@ plane::Tile jittered_grid(const plane::Lattice& lattice, std::mt19937& random) {
                                     : triangle_grid_tile(lattice, columns, rows);
     std::uniform_real_distribution<double> jitter(-0.1, 0.1);
     for (plane::Vec2& p : tile.points) {
-        p += lattice.to_plane({jitter(random) / columns, jitter(random) / rows});
+        p += lattice.to_position({jitter(random) / columns, jitter(random) / rows});
     }
     for (const plane::VertexPair& pair : tile.vertex_pairs) {
         tile.points[pair.w] = tile.points[pair.v] + lattice.translation(pair.offset);

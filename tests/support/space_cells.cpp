@@ -78,7 +78,7 @@ ClippedCell clipped_cell(const space::Sites& sites, SiteId site) {
         for (int o = 0; o < 125; ++o) {
             const space::Vec3 offset(o / 25 - 2, o / 5 % 5 - 2, o % 5 - 2);
             if (t == site && offset.isZero()) continue;
-            images.push_back(reduced.to_space(sites.coordinates().col(t) -
+            images.push_back(reduced.to_position(sites.coordinates().col(t) -
                                               sites.coordinates().col(site) + offset));
         }
     }

@@ -13,7 +13,7 @@ struct NamedSpaceSites {
 inline space::Points in_lattice(const space::Lattice& lattice, const space::Points& coordinates) {
     space::Points points(3, coordinates.cols());
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
-        points.col(s) = lattice.to_space(coordinates.col(s));
+        points.col(s) = lattice.to_position(coordinates.col(s));
     }
     return points;
 }

@@ -31,7 +31,7 @@ class Direction {
             move.cast<float>();
     }
     void set_coordinates(SiteId site, const space::Vec3& move) {
-        set(site, moving_.frame().to_space(move));
+        set(site, moving_.frame().to_position(move));
     }
     const Eigen::VectorXf& numbers() const { return numbers_; }
 

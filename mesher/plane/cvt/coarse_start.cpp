@@ -30,7 +30,7 @@ Refined with_midpoints(const PeriodicDelaunay& delaunay, int n) {
     const Lattice& reduced = sites.reduction().reduced;
     Refined finer{Points(2, n), Eigen::VectorXd::Zero(n)};
     for (SiteId s = 0; s < sites.n_sites(); ++s) {
-        finer.points.col(s) = reduced.to_plane(sites.coordinates().col(s));
+        finer.points.col(s) = reduced.to_position(sites.coordinates().col(s));
     }
     // Append the midpoint of each edge; the spacing of an old site is the mean over its edges.
     int next = sites.n_sites();
@@ -41,13 +41,13 @@ Refined with_midpoints(const PeriodicDelaunay& delaunay, int n) {
         const Corner to = t.corner(TorusTriangulation::next(h));
         const Vec2 way = difference(image(sites.coordinates(), from.site, from.offset),
                                     image(sites.coordinates(), to.site, to.offset));
-        const double half = reduced.to_plane(way).norm() / 2;
+        const double half = reduced.to_position(way).norm() / 2;
         for (const SiteId end : {from.site, to.site}) {
             finer.spacing[end] += kSpacingPerEdge * half / n_edges[end];
         }
         if (next == n) continue;
         finer.points.col(next) =
-            reduced.to_plane(Vec2(sites.coordinates().col(from.site) + way / 2));
+            reduced.to_position(Vec2(sites.coordinates().col(from.site) + way / 2));
         finer.spacing[next++] = kSpacingPerEdge * half;
     }
     return finer;
@@ -74,7 +74,7 @@ Refined with_midpoints(const WalledCvt& cvt, int n, std::uint64_t seed) {
         if (from.site >= domain.n_sites) continue;
         const Vec2 u = difference(image(sites.coordinates(), from.site, from.offset),
                                   image(sites.coordinates(), to.site, to.offset));
-        const Vec2 way = sites.reduction().reduced.to_plane(u);
+        const Vec2 way = sites.reduction().reduced.to_position(u);
         const double half = way.norm() / 2;
         finer.spacing[from.site] += kSpacingPerEdge * half / n_edges[from.site];
         // An edge to the own image ends across one wall; others across walls are ties of four

@@ -156,7 +156,7 @@ class GuardedRuns {
 Points points_of(const InclusionSet& set, const Points& coordinates) {
     Points points(2, coordinates.cols());
     for (Eigen::Index s = 0; s < coordinates.cols(); ++s) {
-        Vec2 p = set.reduction().reduced.to_plane(coordinates.col(s));
+        Vec2 p = set.reduction().reduced.to_position(coordinates.col(s));
         for (int axis = 0; axis < 2; ++axis) {
             if (!has_walls_across(set.walls(), axis)) continue;
             const double side = side_length(set.domain(), axis);
@@ -202,7 +202,7 @@ std::vector<int> inclusions_of_sites(const Sites& sites, const InterfaceSites& i
         const auto visit = [&](int s, Offset offset) {
             checkpoint_each(s);
             const Vec2 place = sites.coordinates().col(s) + whole + Vec2(offset.i, offset.j);
-            const Vec2 p = reduced.to_plane(place);
+            const Vec2 p = reduced.to_position(place);
             if ((p - bounds.centre).squaredNorm() > bounds.radius * bounds.radius) return;
             if (sides.signed_distance(p) < 0) inclusion[s] = static_cast<int>(i);
         };

@@ -37,7 +37,7 @@ class Level {
         : start_(start), sites_(result.delaunay.sites()), t_(result.delaunay.triangulation()) {}
 
     Vec2 position(int orbit) const {
-        return reduced().to_plane(sites_.coordinates().col(start_.orbits[orbit].representative));
+        return reduced().to_position(sites_.coordinates().col(start_.orbits[orbit].representative));
     }
     const Vec2 coordinates(int orbit) const {
         return sites_.coordinates().col(start_.orbits[orbit].representative);
@@ -54,7 +54,7 @@ class Level {
             const int orbit = start_.orbit[from.site];
             if (start_.orbits[orbit].representative != from.site || is_tie(h)) continue;
             const Vec2 u = way(from, t_.corner(TorusTriangulation::next(h)));
-            const double own = kSpacingPerEdge * reduced().to_plane(u).norm() / 2;
+            const double own = kSpacingPerEdge * reduced().to_position(u).norm() / 2;
             spacing[orbit] += (own - spacing[orbit]) / ++n_edges[orbit];
             add(h, u, own, added);
         }
@@ -70,8 +70,8 @@ class Level {
     /// The cotangent of the angle opposite to the halfedge.
     double opposite_cotangent(int h) const {
         const Corner apex = t_.corner(TorusTriangulation::previous(h));
-        const Vec2 p = reduced().to_plane(way(apex, t_.corner(h)));
-        const Vec2 q = reduced().to_plane(way(apex, t_.corner(TorusTriangulation::next(h))));
+        const Vec2 p = reduced().to_position(way(apex, t_.corner(h)));
+        const Vec2 q = reduced().to_position(way(apex, t_.corner(TorusTriangulation::next(h))));
         return p.dot(q) / (p.x() * q.y() - p.y() * q.x());
     }
 
@@ -95,11 +95,11 @@ class Level {
             const Vec2 backwards = -inverse_image(start_.ties[to].matrix, u);
             if (std::pair(backwards.x(), backwards.y()) < std::pair(u.x(), u.y())) return;
             if (backwards == u) {
-                added.at_thirds.push_back({reduced().to_plane(Vec2(at + u / 3)), spacing});
+                added.at_thirds.push_back({reduced().to_position(Vec2(at + u / 3)), spacing});
                 return;
             }
         }
-        added.at_midpoints.push_back({reduced().to_plane(Vec2(at + u / 2)), spacing});
+        added.at_midpoints.push_back({reduced().to_position(Vec2(at + u / 2)), spacing});
     }
 
     /// @param m  row by row, with determinant +1 or -1.
@@ -160,7 +160,7 @@ OrbitPlaces refined(const SymmetricSites& start, const CvtResult& result, OrbitP
     for (std::size_t k = 0; k < mirrors.size(); ++k) {
         const auto& along = mirrors[k].along;
         const int axis = std::abs(along[0]) == 1 ? 0 : 1;
-        const double length = level.reduced().to_plane(Vec2(along[0], along[1])).norm();
+        const double length = level.reduced().to_position(Vec2(along[0], along[1])).norm();
         for (double& part : places.on_mirrors[k]) {
             const double through = double(mirrors[k].through[axis]) / kTwelfths;
             part = (level.coordinates(orbit)[axis] - through) * along[axis] +

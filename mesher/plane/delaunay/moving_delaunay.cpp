@@ -255,7 +255,7 @@ void require_distinct(const MovingDelaunay& delaunay) {
     for (int h = 0; h < t.n_halfedges(); ++h) {
         const Corner from = t.corner(h);
         const Corner to = t.corner(TorusTriangulation::next(h));
-        const Vec2 edge = delaunay.frame().to_plane(
+        const Vec2 edge = delaunay.frame().to_position(
             difference(image(delaunay.coordinates(), from.site, from.offset),
                        image(delaunay.coordinates(), to.site, to.offset)));
         if (edge.norm() >= kSameVertex * delaunay.spacing()) continue;

@@ -44,7 +44,7 @@ Vec2 PeriodicDelaunay::dual_vertex(int triangle) const {
                                     weighted_image(triangulation_.corner(3 * triangle + 2)));
     const Lattice& reduced = sites_.reduction().reduced;
     return sites_.position(first.site) + reduced.translation(first.offset) +
-           reduced.to_plane(centre);
+           reduced.to_position(centre);
 }
 
 bool PeriodicDelaunay::is_locally_regular(int h) const {

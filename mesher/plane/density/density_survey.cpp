@@ -124,7 +124,7 @@ Points DensitySurvey::draw(int n, std::uint64_t seed) {
         for (std::size_t k = 0; k < candidates.size(); ++k) {
             const bool rejected = candidates[k].threshold >= std::sqrt(rho[k]);
             if (rejected && trial++ < kTrials) continue;
-            points.col(filled++) = lattice_.to_plane({candidates[k].u, candidates[k].v});
+            points.col(filled++) = lattice_.to_position({candidates[k].u, candidates[k].v});
             trial = 0;
         }
     }

@@ -185,7 +185,7 @@ Vec2 UnwrappedCells::thin_centre(int h) const {
     const ReducedFrame& frame = delaunay_.frame();
     const Gram gram{frame.ax * frame.ax, frame.ax * frame.bx,
                     frame.bx * frame.bx + frame.by * frame.by};
-    return frame.to_plane(circumcentre(gram, at(h), at(t.next(h)), at(t.previous(h))));
+    return frame.to_position(circumcentre(gram, at(h), at(t.next(h)), at(t.previous(h))));
 }
 
 void UnwrappedCells::find_corners(std::span<const SiteId> sites, CellList& cells) const {

@@ -59,7 +59,7 @@ class UnwrappedCells {
     /// The vector from the site to its neighbour across the side that ends at a corner; frame,
     /// units.
     Vec2 to_neighbour(const CellList& cells, std::size_t corner) const {
-        return delaunay_.frame().to_plane({cells.to_u[corner], cells.to_v[corner]});
+        return delaunay_.frame().to_position({cells.to_u[corner], cells.to_v[corner]});
     }
     /// The matrix from the frame to lattice coordinates of the user's basis.
     const Eigen::Matrix2d& from_frame() const { return from_frame_; }

@@ -30,9 +30,9 @@ std::vector<double> cotangents(const MovingDelaunay& delaunay, Workers& workers)
             const Vec2 p = edge(delaunay, 3 * t);
             const Vec2 q = edge(delaunay, 3 * t + 1);
             const Vec2 r = edge(delaunay, 3 * t + 2);
-            const Vec2 dp = delaunay.frame().to_plane(p);
-            const Vec2 dq = delaunay.frame().to_plane(q);
-            const Vec2 dr = delaunay.frame().to_plane(r);
+            const Vec2 dp = delaunay.frame().to_position(p);
+            const Vec2 dq = delaunay.frame().to_position(q);
+            const Vec2 dr = delaunay.frame().to_position(r);
             const double area = detail::cross(p, q) * cell;
             cotangent[3 * std::size_t(t)] = -dq.dot(dr) / area;
             cotangent[3 * std::size_t(t) + 1] = -dr.dot(dp) / area;
@@ -81,7 +81,7 @@ void fill_row(const MovingDelaunay& delaunay, const std::vector<double>& cotange
         const int opposite = t.opposite(h);
         const SiteId neighbour = t.corner_sites()[opposite];
         if (neighbour != site) {
-            const Vec2 d = delaunay.frame().to_plane(edge(delaunay, h));
+            const Vec2 d = delaunay.frame().to_position(edge(delaunay, h));
             const BlockMatrix::Block b = edge_block(d, cotangent[h], cotangent[opposite]);
             hessian.column[entry] = neighbour;
             hessian.block[entry++] = b;

@@ -23,8 +23,8 @@ Vec2 turned(const Vec2& d) { return {-d.y(), d.x()}; }
 
 TriangleTerms triangle_terms(const Vec2& p, const Vec2& q, const ReducedFrame& frame) {
     const std::array<Vec2, 3> side{p, q - p, -q};
-    const std::array<Vec2, 3> d{frame.to_plane(side[0]), frame.to_plane(side[1]),
-                                frame.to_plane(side[2])};
+    const std::array<Vec2, 3> d{frame.to_position(side[0]), frame.to_position(side[1]),
+                                frame.to_position(side[2])};
     // Choose the cross product with the least rounding: all three are equal in exact arithmetic,
     // and the two shortest sides round least.
     double cross = 0;

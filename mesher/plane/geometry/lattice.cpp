@@ -91,7 +91,7 @@ Lattice Lattice::rectangle(double width, double height) {
     return {Vec2(width, 0), Vec2(0, height)};
 }
 
-Vec2 Lattice::translation(Offset offset) const {
+Vec2 Lattice::translation(plane::Offset offset) const {
     const double i = offset.i;
     const double j = offset.j;
     return {product_sum(i, a_.x(), j, b_.x()), product_sum(i, a_.y(), j, b_.y())};
@@ -102,15 +102,15 @@ Vec2 Lattice::to_lattice(const Vec2& p) const {
     return {determinant(p, b_) / det, determinant(a_, p) / det};
 }
 
-Vec2 Lattice::to_plane(const Vec2& u) const {
+Vec2 Lattice::to_position(const Vec2& u) const {
     return {product_sum(u.x(), a_.x(), u.y(), b_.x()), product_sum(u.x(), a_.y(), u.y(), b_.y())};
 }
 
 Lattice Lattice::repeated(int columns, int rows) const { return {columns * a_, rows * b_}; }
 
-Offset Reduction::to_original(Offset o) const {
-    return {o.i * m[0] + o.j * m[2], o.i * m[1] + o.j * m[3]};
-}
+double Lattice::spacing(int n) const { return std::sqrt(area_ / n); }
+
+Vec2 Lattice::wrapped(const Vec2& u) { return {wrap(u.x()).fraction, wrap(u.y()).fraction}; }
 
 Reduction reduce(const Lattice& lattice) {
     Combination basis{lattice};

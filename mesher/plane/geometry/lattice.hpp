@@ -5,6 +5,8 @@
 #include <compare>
 #include <string>
 
+#include "mesher/torus/sites.hpp"
+
 namespace pcvt::plane {
 
 using Vec2 = Eigen::Vector2d;
@@ -20,6 +22,9 @@ struct Offset {
     friend constexpr Offset operator+(Offset s, Offset t) { return {s.i + t.i, s.j + t.j}; }
     friend constexpr Offset operator-(Offset s, Offset t) { return {s.i - t.i, s.j - t.j}; }
     friend constexpr Offset operator-(Offset s) { return {-s.i, -s.j}; }
+
+    constexpr std::array<int, 2> components() const { return {i, j}; }
+    static constexpr Offset of(const std::array<int, 2>& c) { return {c[0], c[1]}; }
 };
 
 /// Formats an offset for a message: "(2, -1)".
@@ -34,10 +39,18 @@ std::string offset_in_words(Offset offset);
 ///     const Vec2 image = Vec2(0.75, 0.45) + lattice.translation({1, -2});
 ///
 /// Laws, tested by number:
-///   (1) to_plane(to_lattice(p)) = p up to rounding.
+///   (1) to_position(to_lattice(p)) = p up to rounding.
 ///   (2) translation(o) is within 1.5 ulp of i a + j b in each coordinate, however large i and j.
 class Lattice {
    public:
+    static constexpr int kDimension = 2;
+    static constexpr int kMostSites = 1 << 28;
+    /// Coordinates of sites are multiples of this.
+    static constexpr double kGrain = 0x1p-51;
+    using Point = Vec2;
+    using Points = plane::Points;
+    using Offset = plane::Offset;
+
     /// @param a, b  period vectors, length units; either orientation.
     /// @throws InvalidInput if a coordinate is not finite, a length lies outside of
     ///         [1e-60, 1e60], or the vectors are parallel.
@@ -51,13 +64,18 @@ class Lattice {
     /// Area of the fundamental domain, |det(a, b)|.
     double area() const { return area_; }
     bool right_handed() const { return right_handed_; }
+    /// h = sqrt(area / n), the length scale of n sites.
+    double spacing(int n) const;
 
     /// The translation i a + j b, length units.
-    Vec2 translation(Offset offset) const;
+    Vec2 translation(plane::Offset offset) const;
     /// Lattice coordinates u with p = u_0 a + u_1 b.
     Vec2 to_lattice(const Vec2& p) const;
     /// The point u_0 a + u_1 b.
-    Vec2 to_plane(const Vec2& u) const;
+    Vec2 to_position(const Vec2& u) const;
+    /// Lattice coordinates in [0, 1)^2 of the same orbit, rounded to multiples of kGrain.
+    /// @pre |u| < 2^30 in each coordinate.
+    static Vec2 wrapped(const Vec2& u);
     /// The sublattice with period vectors columns * a and rows * b.
     Lattice repeated(int columns, int rows) const;
 
@@ -68,20 +86,7 @@ class Lattice {
     bool right_handed_;
 };
 
-/// A Gauss-reduced basis of a lattice, and its coefficients in the original basis.
-///
-/// Laws, tested by number:
-///   (1) reduced.a() = m[0] a + m[1] b and reduced.b() = m[2] a + m[3] b, where
-///       m[0] m[3] - m[1] m[2] is +1 or -1.
-///   (2) |a'| <= |b'| and |a'.b'| <= |a'|^2 / 2, up to rounding; (a', b') is right-handed.
-///   (3) lattice.translation(to_original(o)) = reduced.translation(o) up to rounding.
-struct Reduction {
-    Lattice reduced;
-    std::array<int, 4> m;
-
-    /// Converts an offset in the reduced basis to the original basis.
-    Offset to_original(Offset reduced_offset) const;
-};
+using Reduction = pcvt::Reduction<Lattice>;
 
 /// Computes a Gauss-reduced basis.
 /// @throws InvalidInput if the vectors are so close to parallel that the reduction needs an integer

@@ -10,13 +10,13 @@ namespace pcvt::plane {
 /// Example usage:
 ///
 ///     const ReducedFrame frame{.ax = 1, .bx = 0.5, .by = 0.75};
-///     const Vec2 p = frame.to_plane({0.5, 1});  // (1, 0.75)
+///     const Vec2 p = frame.to_position({0.5, 1});  // (1, 0.75)
 struct ReducedFrame {
     double ax;
     double bx;
     double by;
 
-    Vec2 to_plane(const Vec2& u) const { return {ax * u.x() + bx * u.y(), by * u.y()}; }
+    Vec2 to_position(const Vec2& u) const { return {ax * u.x() + bx * u.y(), by * u.y()}; }
 };
 
 }  // namespace pcvt::plane

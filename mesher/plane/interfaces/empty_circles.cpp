@@ -61,7 +61,7 @@ bool EmptyCircles::contain(const Vec2& u) const {
     const std::size_t square = static_cast<std::size_t>(j) * count_[0] + i;
     for (int k = begin_[square]; k < begin_[square + 1]; ++k) {
         const Image& image = images_[k];
-        const Vec2 d = reduced_.to_plane(inside - image.centre);
+        const Vec2 d = reduced_.to_position(inside - image.centre);
         if (d.squaredNorm() < image.radius * image.radius) return true;
     }
     return false;

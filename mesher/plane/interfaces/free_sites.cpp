@@ -28,7 +28,7 @@ class PlacedPoints {
     /// Whether no point, and no image of the place itself, is nearer than `distance`.
     bool leave_room(const Vec2& place, double distance) const {
         const auto is_far = [&](const Vec2& d) {
-            return reduced().to_plane(d).squaredNorm() >= distance * distance;
+            return reduced().to_position(d).squaredNorm() >= distance * distance;
         };
         bool is_free = true;
         grid_.visit(place, distance, [&](int k, Offset offset) {
@@ -46,7 +46,7 @@ class PlacedPoints {
     Vec2 image(const Vec2& place, int r) const {
         if (r == 0) return place;
         const Vec2 u =
-            reduced().to_lattice(mirror_image(reduced().to_plane(place), set_.walls(), r));
+            reduced().to_lattice(mirror_image(reduced().to_position(place), set_.walls(), r));
         return {wrap(u.x()).fraction, wrap(u.y()).fraction};
     }
 

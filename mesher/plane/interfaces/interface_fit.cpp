@@ -45,7 +45,7 @@ class Fit {
         double sum = 0;
         for (const Chord& chord : interfaces_.chords) {
             const Vec2 along = chord.to - chord.from;
-            const Vec2 seed = reduced.to_plane(interfaces_.coordinates.col(chord.inside));
+            const Vec2 seed = reduced.to_position(interfaces_.coordinates.col(chord.inside));
             const double area = 4 * cross(along, seed - chord.from);
             const double h = spacing_(chord.from);
             sum += area / (h * h);

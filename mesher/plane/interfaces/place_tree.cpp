@@ -71,7 +71,7 @@ std::vector<PlaceTree::Found> PlaceTree::within(const Vec2& u, double distance) 
                 }
                 for (int k = node.first; k < node.last; ++k) {
                     const Vec2 d = places_.col(order_[k]) + Vec2(i, j) - u;
-                    if (reduced_.to_plane(d).norm() < distance) {
+                    if (reduced_.to_position(d).norm() < distance) {
                         found.push_back({order_[k], {i, j}});
                     }
                 }

@@ -75,7 +75,7 @@ class Repulsion {
                (has_walls_across(walls_, 1) && offset.j != 0);
     }
     Vec2 way(int i, int j, Offset offset) const {
-        return reduced_.to_plane(places_.col(j) + Vec2(offset.i, offset.j) - places_.col(i));
+        return reduced_.to_position(places_.col(j) + Vec2(offset.i, offset.j) - places_.col(i));
     }
     /// Wraps all points and calls visit(i, j, offset) for the pairs that may be as near as
     /// `distance`, i < j.
@@ -144,7 +144,7 @@ std::optional<std::vector<Vec2>> separated_points(const Lattice& reduced,
             if (sweep < kGrowth || !repulsion.are_apart(distance)) continue;
             std::vector<Vec2> points;
             for (const auto& place : repulsion.places().colwise()) {
-                points.push_back(reduced.to_plane(place));
+                points.push_back(reduced.to_position(place));
             }
             return points;
         }

@@ -79,7 +79,7 @@ BoxPolygon BoxLines::corners_on_line(const BoxNode& from, const BoxNode& to, con
 
 bool BoxLines::turns_left(const BoxNode& p, const BoxNode& q, const BoxNode& r) const {
     const auto point = [&](const BoxNode& node) {
-        return lattice_.to_plane({coordinate(node, 0), coordinate(node, 1)});
+        return lattice_.to_position({coordinate(node, 0), coordinate(node, 1)});
     };
     return cross(point(q) - point(p), point(r) - point(q)) > 0;
 }
@@ -188,7 +188,7 @@ OnLines BoxSnapper::lines_near(int v, const Vec2& u) const {
     const OnLines before = earlier_.vertices.empty() ? OnLines{} : earlier_.vertices[v];
     const bool is_still = earlier_.is_still(v);
     const double to_both = reach(before[0] && before[1], is_still);
-    if (lattice_.to_plane(to_corner).norm() < to_both) return {true, true};
+    if (lattice_.to_position(to_corner).norm() < to_both) return {true, true};
     std::array<double, 2> distance;
     for (const int axis : BoxLines::kAxes) {
         distance[axis] = std::abs(to_corner[axis]) * line_spacing(lattice_, axis);

@@ -197,7 +197,7 @@ class OriginSearch {
 }  // namespace
 
 Vec2 find_box_origin(const PeriodicMesh& cells) {
-    return cells.lattice.to_plane(OriginSearch(cells).find());
+    return cells.lattice.to_position(OriginSearch(cells).find());
 }
 
 }  // namespace pcvt::plane

@@ -51,7 +51,7 @@ class BoxCutter {
             face_polygon(cells_, f, before);
             after.clear();
             for (int c = cells_.face_begin[f]; c < cells_.face_begin[f + 1]; ++c) {
-                after.push_back(lattice_.to_plane(lines_.coordinates(corner_node(c))));
+                after.push_back(lattice_.to_position(lines_.coordinates(corner_node(c))));
             }
             if (polygon_area(after) < kAreaBesideCut * polygon_area(before)) return false;
             if (crosses_itself(after, 0)) return false;
@@ -90,7 +90,7 @@ class BoxCutter {
         std::sort(on_lines.begin(), on_lines.end(), before);
         return std::adjacent_find(on_lines.begin(), on_lines.end(),
                                   [&](const Vec2& p, const Vec2& q) {
-                                      return lattice_.to_plane(q - p).norm() < least_snap(cells_);
+                                      return lattice_.to_position(q - p).norm() < least_snap(cells_);
                                   }) == on_lines.end();
     }
 
@@ -132,7 +132,7 @@ class BoxCutter {
     std::vector<Crossing> corners_between(int c, const Vec2& p, const Vec2& q, const BoxNode& from,
                                           const BoxNode& to) {
         std::vector<Crossing> found;
-        const Vec2 way = lattice_.to_plane(q - p);
+        const Vec2 way = lattice_.to_position(q - p);
         const bool is_still = snaps_.is_still(cells_.corner_vertex[c]) &&
                               snaps_.is_still(cells_.corner_vertex[cells_.next(c)]);
         for (const int axis : BoxLines::kAxes) {
@@ -141,7 +141,7 @@ class BoxCutter {
                 const double t = (k - p[axis]) / (q[axis] - p[axis]);
                 Vec2 corner = (p + t * (q - p)).array().round();
                 corner[axis] = k;
-                const Vec2 from_p = lattice_.to_plane(corner - p);
+                const Vec2 from_p = lattice_.to_position(corner - p);
                 const double at = from_p.dot(way) / way.squaredNorm();
                 const Offset offset{static_cast<int>(corner.x()), static_cast<int>(corner.y())};
                 const double distance = std::abs(cross(way, from_p)) / way.norm();

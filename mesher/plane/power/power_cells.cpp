@@ -112,7 +112,7 @@ void for_each_side(const WeightedTriangulation& regular, const std::vector<doubl
         const Vec2 u = regular.coordinates.col(neighbour) - regular.coordinates.col(site) +
                        Vec2(offset.i, offset.j);
         CellSide side{.neighbour = neighbour,
-                      .d = regular.frame.to_plane(u),
+                      .d = regular.frame.to_position(u),
                       .squared = 0,
                       .foot = 0,
                       .left = heights[h],

@@ -239,7 +239,7 @@ class FaceGluing {
             const Vec2 start = tile_.points[faces_.corners[faces_.next(g)]] - from;
             const Vec2 end = tile_.points[faces_.corners[g]] - to;
             const Vec2 u = reduced.to_lattice(start);
-            const Vec2 translation = reduced.to_plane({std::round(u.x()), std::round(u.y())});
+            const Vec2 translation = reduced.to_position({std::round(u.x()), std::round(u.y())});
             const double apart = std::max((start - translation).lpNorm<Eigen::Infinity>(),
                                           (end - translation).lpNorm<Eigen::Infinity>());
             if (apart < nearest.second) nearest = {g, apart};

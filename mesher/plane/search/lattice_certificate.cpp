@@ -80,7 +80,7 @@ bool lies_on(const Sites& sites, const LatticePattern& pattern) {
         const Vec2 u = sites.coordinates().col(s) - sites.coordinates().col(0);
         const auto place = places.take(u);
         if (!place) return false;
-        off.col(s) = sites.reduction().reduced.to_plane(u - *place);
+        off.col(s) = sites.reduction().reduced.to_position(u - *place);
     }
     const Vec2 common = off.rowwise().mean();
     return (off.colwise() - common).colwise().norm().maxCoeff() <= kOffLattice * sites.spacing();

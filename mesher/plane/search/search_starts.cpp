@@ -177,7 +177,7 @@ SearchState StartMaker::neighbour(Random& random) {
         add_row(pattern, random, start.points);
     } else {
         for (; column < n_; ++column) {
-            start.points.col(column) = period_.to_plane({uniform(random), uniform(random)});
+            start.points.col(column) = period_.to_position({uniform(random), uniform(random)});
         }
     }
     shake(start.points, kJitter, random);

@@ -172,7 +172,7 @@ class Snapping {
                 const Place at = image(g, place_of(centre.place), kTwelfths);
                 const Vec2 difference = u - coordinates(at, kTwelfths);
                 const Vec2 nearest = difference.array() - difference.array().round();
-                if (reduced().to_plane(nearest).norm() > near_) continue;
+                if (reduced().to_position(nearest).norm() > near_) continue;
                 return orbits.add(at, kTwelfths);
             }
         }
@@ -184,7 +184,7 @@ class Snapping {
                 // The images of the line lie where this is a whole number.
                 const double across = along.x() * difference.y() - along.y() * difference.x();
                 const double height = std::abs(across - std::round(across)) * reduced().area() /
-                                      reduced().to_plane(along).norm();
+                                      reduced().to_position(along).norm();
                 if (height > near_) continue;
                 const int k = std::abs(line.along[0]) == 1 ? 0 : 1;
                 return orbits.add(line.at(difference[k] * line.along[k]), kGrid);

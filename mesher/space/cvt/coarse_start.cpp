@@ -80,7 +80,7 @@ Points with_midpoints(const PeriodicDelaunay& delaunay, int n, std::uint64_t see
     for (const Edge& e : edges_of(delaunay)) {
         if (next == n) break;
         const Vec3 far = sites.coordinates().col(e.to) + e.offset.vector();
-        points.col(next++) = reduced.to_space((sites.coordinates().col(e.from) + far) / 2);
+        points.col(next++) = reduced.to_position((sites.coordinates().col(e.from) + far) / 2);
     }
     return points;
 }

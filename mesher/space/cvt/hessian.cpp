@@ -28,7 +28,7 @@ struct TetrahedronShape {
         corner[0].setZero();
         for (int c = 0; c < 3; ++c) {
             d[c] = image(coordinates, corners[c + 1]).at - origin;
-            corner[c + 1] = frame.to_space(d[c]);
+            corner[c + 1] = frame.to_position(d[c]);
         }
         Matrix3d edges;
         edges << corner[1].transpose(), corner[2].transpose(), corner[3].transpose();
@@ -37,7 +37,7 @@ struct TetrahedronShape {
         if (edges.determinant() > kThin * longest * longest * longest) {
             centre = edges.partialPivLu().solve(squares / 2);
         } else {
-            centre = frame.to_space(exact_circumcentre(frame.gram, d));
+            centre = frame.to_position(exact_circumcentre(frame.gram, d));
         }
     }
 };

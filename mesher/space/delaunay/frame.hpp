@@ -10,7 +10,7 @@ namespace pcvt::space {
 /// Example usage:
 ///
 ///     const Frame frame(reduced, unit);
-///     const Vec3 p = frame.to_space({0.5, 1, 0});
+///     const Vec3 p = frame.to_position({0.5, 1, 0});
 struct Frame {
     double ax = 1;
     double bx = 0;
@@ -25,7 +25,7 @@ struct Frame {
     /// @param reduced  right-handed.
     Frame(const Lattice& reduced, double unit);
 
-    Vec3 to_space(const Vec3& u) const {
+    Vec3 to_position(const Vec3& u) const {
         return {ax * u.x() + bx * u.y() + cx * u.z(), by * u.y() + cy * u.z(), cz * u.z()};
     }
     Vec3 to_lattice(const Vec3& p) const {

@@ -205,14 +205,14 @@ void TetrahedronBlock::correct(int k, const Frame& frame) {
     std::array<Vector, 3> edge;
     for (int c = 0; c < 3; ++c) {
         d[c] = {corner[c][0][k], corner[c][1][k], corner[c][2][k]};
-        edge[c] = vector(frame.to_space(d[c]));
+        edge[c] = vector(frame.to_position(d[c]));
     }
     Shape shape = shape_of(edge[0], edge[1], edge[2]);
-    shape.p12 = vector(frame.to_space(d[1] - d[0]));
-    shape.p13 = vector(frame.to_space(d[2] - d[0]));
-    shape.p23 = vector(frame.to_space(d[2] - d[1]));
+    shape.p12 = vector(frame.to_position(d[1] - d[0]));
+    shape.p13 = vector(frame.to_position(d[2] - d[0]));
+    shape.p23 = vector(frame.to_position(d[2] - d[1]));
     shape.normal[0] = cross(shape.p13, shape.p12);
-    shape.centre = vector(frame.to_space(exact_circumcentre(frame.gram, d)));
+    shape.centre = vector(frame.to_position(exact_circumcentre(frame.gram, d)));
     shape.height = heights(shape);
     store(shape, k, *this);
     for (auto& row : height) row[k] = -std::numeric_limits<double>::infinity();

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "mesher/base/error.hpp"
+#include "mesher/portable/portable_functions.hpp"
 
 namespace pcvt::space {
 namespace {
@@ -156,12 +157,11 @@ Lattice Lattice::box(double x, double y, double z) {
 
 Vec3 Lattice::heights() const { return inverse_.rowwise().norm().cwiseInverse(); }
 
-Vec3 Lattice::to_space(const Vec3& u) const { return combination(u, periods_); }
+Vec3 Lattice::to_position(const Vec3& u) const { return combination(u, periods_); }
 
-Offset Reduction::to_original(Offset o) const {
-    return {o.i * m[0] + o.j * m[3] + o.k * m[6], o.i * m[1] + o.j * m[4] + o.k * m[7],
-            o.i * m[2] + o.j * m[5] + o.k * m[8]};
-}
+double Lattice::spacing(int n) const { return portable_cbrt(volume_ / n); }
+
+Vec3 Lattice::wrapped(const Vec3& u) { return wrap(u).fraction; }
 
 Reduction reduce(const Lattice& lattice) {
     // The greedy algorithm (I. Semaev 2001): sort, and shorten the later vectors by the earlier.

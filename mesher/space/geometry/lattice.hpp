@@ -4,6 +4,8 @@
 #include <array>
 #include <compare>
 
+#include "mesher/torus/sites.hpp"
+
 namespace pcvt::space {
 
 using Vec3 = Eigen::Vector3d;
@@ -24,6 +26,8 @@ struct Offset {
         return {s.i - t.i, s.j - t.j, s.k - t.k};
     }
     friend constexpr Offset operator-(Offset s) { return {-s.i, -s.j, -s.k}; }
+    constexpr std::array<int, 3> components() const { return {i, j, k}; }
+    static constexpr Offset of(const std::array<int, 3>& c) { return {c[0], c[1], c[2]}; }
     Vec3 vector() const { return {double(i), double(j), double(k)}; }
 };
 
@@ -36,10 +40,19 @@ struct Offset {
 ///     const Vec3 image = Vec3(0.75, 0.45, 0) + lattice.translation({1, -2, 0});
 ///
 /// Laws, tested by number:
-///   (1) to_lattice(to_space(u)) = u up to rounding.
+///   (1) to_lattice(to_position(u)) = u up to rounding.
 ///   (2) translation(o) is i a + j b + k c, rounded about once, however large i, j and k.
 class Lattice {
    public:
+    static constexpr int kDimension = 3;
+    /// A tetrahedron's number times 4 must remain an int.
+    static constexpr int kMostSites = 1 << 26;
+    /// Coordinates of sites are multiples of this.
+    static constexpr double kGrain = 0x1p-50;
+    using Point = Vec3;
+    using Points = space::Points;
+    using Offset = space::Offset;
+
     /// @param a, b, c  period vectors, length units; either orientation.
     /// @throws InvalidInput if a coordinate is not finite, a length lies outside of
     ///         [1e-40, 1e40], or the vectors are linearly dependent.
@@ -55,16 +68,21 @@ class Lattice {
     /// Volume of the fundamental domain, |det(a, b, c)|.
     double volume() const { return volume_; }
     bool right_handed() const { return right_handed_; }
+    /// h, the cube root of volume / n, the length scale of n sites.
+    double spacing(int n) const;
     /// The distances between neighbouring lattice planes along which one lattice coordinate is
     /// constant: domain k lies between two planes this far from each other.
     Vec3 heights() const;
 
     /// The translation i a + j b + k c, length units.
-    Vec3 translation(Offset offset) const { return to_space(offset.vector()); }
+    Vec3 translation(space::Offset offset) const { return to_position(offset.vector()); }
     /// Lattice coordinates u with p = u_0 a + u_1 b + u_2 c.
     Vec3 to_lattice(const Vec3& p) const { return inverse_ * p; }
     /// The point u_0 a + u_1 b + u_2 c.
-    Vec3 to_space(const Vec3& u) const;
+    Vec3 to_position(const Vec3& u) const;
+    /// Lattice coordinates in [0, 1)^3 of the same orbit, rounded to multiples of kGrain.
+    /// @pre |u| < 2^30 in each coordinate.
+    static Vec3 wrapped(const Vec3& u);
 
    private:
     std::array<Vec3, 3> periods_;
@@ -73,20 +91,7 @@ class Lattice {
     Eigen::Matrix3d inverse_;
 };
 
-/// A Minkowski-reduced basis of a lattice, and its coefficients in the original basis.
-///
-/// Laws, tested by number:
-///   (1) Period r of `reduced` is m[3 r] a + m[3 r + 1] b + m[3 r + 2] c, and det m is +1 or -1.
-///   (2) Each of the reduced periods is a shortest vector of the lattice that extends the periods
-///       before it to a basis, up to rounding; they are right-handed.
-///   (3) lattice.translation(to_original(o)) = reduced.translation(o) up to rounding.
-struct Reduction {
-    Lattice reduced;
-    std::array<int, 9> m;
-
-    /// Converts an offset in the reduced basis to the original basis.
-    Offset to_original(Offset reduced_offset) const;
-};
+using Reduction = pcvt::Reduction<Lattice>;
 
 /// Computes a Minkowski-reduced basis.
 /// @throws InvalidInput if the vectors are so close to dependent that the reduction needs an

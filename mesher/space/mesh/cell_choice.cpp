@@ -63,7 +63,7 @@ void join_one_part(const CellComplex& complex, DisjointSets& parts, std::vector<
 }  // namespace
 
 Vec3 domain_corner(const Lattice& lattice, const Reduction& reduction) {
-    const Vec3 centre = reduction.reduced.to_lattice(lattice.to_space(Vec3::Constant(0.5)));
+    const Vec3 centre = reduction.reduced.to_lattice(lattice.to_position(Vec3::Constant(0.5)));
     return centre - Vec3::Constant(0.5);
 }
 

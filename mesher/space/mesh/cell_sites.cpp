@@ -16,7 +16,7 @@ namespace {
 /// at the nearest image.
 Vec3 nearest_image(const Lattice& reduced, const Vec3& p, const Vec3& q) {
     const Vec3 whole = reduced.to_lattice(q - p).array().round();
-    Vec3 best = p + reduced.to_space(whole);
+    Vec3 best = p + reduced.to_position(whole);
     for (bool moved = true; moved;) {
         moved = false;
         const Vec3 centre = best;

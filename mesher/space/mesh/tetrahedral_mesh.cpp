@@ -20,7 +20,7 @@ class TileGrowth {
           placed_(static_cast<std::size_t>(tetrahedra_.n_tetrahedra()), false),
           frames_(placed_.size()) {
         const Lattice& reduced = delaunay.sites.reduction().reduced;
-        centre_ = reduced.to_lattice(delaunay.sites.lattice().to_space(Vec3::Constant(0.5)));
+        centre_ = reduced.to_lattice(delaunay.sites.lattice().to_position(Vec3::Constant(0.5)));
     }
 
     /// Returns the offset of each tetrahedron from its own frame, in the reduced basis.

@@ -21,7 +21,7 @@ using testing::kOblique;
 
 /// A grid whose lower left corner lies at whole periods from 0.
 plane::Tile distant_grid(const plane::Lattice& lattice, double i, double j) {
-    return moved_by(testing::grid_tile(lattice, 5, 6), lattice.to_plane({i, j}));
+    return moved_by(testing::grid_tile(lattice, 5, 6), lattice.to_position({i, j}));
 }
 
 std::vector<EncodedFile> encoded(const plane::Tile& tile) { return encode_glb(tile, {}, "t.glb"); }

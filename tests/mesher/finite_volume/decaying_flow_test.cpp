@@ -97,7 +97,7 @@ TEST(DecayingFlow, TheMeanSquareSpeedIsTheMeanOverAGrid) {
         const int n = 40;
         double sum = 0;
         for (int k = 0; k < n * n; ++k) {
-            sum += flow.velocity(lattice.to_plane(plane::Vec2(k % n, k / n) / n)).squaredNorm();
+            sum += flow.velocity(lattice.to_position(plane::Vec2(k % n, k / n) / n)).squaredNorm();
         }
         EXPECT_NEAR(sum / (n * n), flow.mean_square_speed(), 1e-9) << name;
     }

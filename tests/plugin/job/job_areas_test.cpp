@@ -34,8 +34,8 @@ plane::Points some_sites(std::mt19937_64& random, const plane::Lattice& lattice,
     for (int s = 0; s < n; ++s) {
         const double u = (s + 0.5) / n;
         if (kind == 1) points.col(s) *= 0.05;
-        if (kind == 2) points.col(s) = lattice.to_plane({u, 0.3});
-        if (kind == 3) points.col(s) = lattice.to_plane({u, double((s * 5) % n) / n});
+        if (kind == 2) points.col(s) = lattice.to_position({u, 0.3});
+        if (kind == 3) points.col(s) = lattice.to_position({u, double((s * 5) % n) / n});
     }
     return points;
 }
@@ -210,7 +210,7 @@ std::vector<double> power_distances(const Tessellation& cells, const plane::Vec2
         for (int i = -1; i <= 1; ++i) {
             for (int j = -1; j <= 1; ++j) {
                 const plane::Vec2 d(u.x() - std::round(u.x()) + i, u.y() - std::round(u.y()) + j);
-                least = std::min(least, reduced.to_plane(d).squaredNorm());
+                least = std::min(least, reduced.to_position(d).squaredNorm());
             }
         }
         distances.push_back(least - (weights.size() > 0 ? weights[s] : 0));

@@ -80,7 +80,7 @@ plane::Points scattered_sites(const plane::Lattice& lattice) {
     for (int s = 0; s < kNumberedSites; ++s) {
         const int cell = s * 37 % kNumberedSites;
         const double jitter = 0.05 * std::sin(12.9898 * s);
-        points.col(s) = lattice.to_plane(
+        points.col(s) = lattice.to_position(
             {(cell % 8 + 0.5 + jitter) / 8, (double(cell / 8) + 0.5 - jitter) / 8});
     }
     return points;

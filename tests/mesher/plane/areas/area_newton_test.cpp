@@ -36,11 +36,11 @@ Points hard_points(const Lattice& lattice, int n, int kind, std::mt19937_64& ran
         const Vec2 u = lattice.to_lattice(points.col(s));
         if (kind == 1) {
             const Vec2 centre(0.2 * double(s % 4), 0.37 * double(s % 3));
-            points.col(s) = lattice.to_plane(centre + 0.01 * Vec2{normal(random), normal(random)});
+            points.col(s) = lattice.to_position(centre + 0.01 * Vec2{normal(random), normal(random)});
         } else if (kind == 2) {
-            points.col(s) = lattice.to_plane({(s + 0.5 * u.x()) / n, 0.3 + 1e-6 * u.y()});
+            points.col(s) = lattice.to_position({(s + 0.5 * u.x()) / n, 0.3 + 1e-6 * u.y()});
         } else if (kind == 3) {
-            points.col(s) = lattice.to_plane(
+            points.col(s) = lattice.to_position(
                 {double(s % n_columns) / n_columns, double(s / n_columns) / n_columns});
         }
     }

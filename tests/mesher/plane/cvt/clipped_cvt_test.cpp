@@ -50,7 +50,7 @@ TEST(ClippedCvt, OnlyCellsAtTheBorderMeetTheBorder) {
 /// The energy of one site at the centre of the parallelogram is area (|a|^2 + |b|^2) / 12.
 TEST(ClippedCvt, OneSiteHasTheWholeDomain) {
     for (const auto& [name, lattice] : lattices()) {
-        const Vec2 middle = lattice.to_plane({0.5, 0.5});
+        const Vec2 middle = lattice.to_position({0.5, 0.5});
         const double whole =
             lattice.area() * (lattice.a().squaredNorm() + lattice.b().squaredNorm()) / 12;
         EXPECT_NEAR(clipped_energy(lattice, middle).value / whole, 1, 1e-12) << name;
@@ -68,7 +68,7 @@ TEST(ClippedCvt, TheEnergyIsTheIntegralOverTheDomain) {
     double sum = 0;
     for (int i = 0; i < kSteps; ++i) {
         for (int j = 0; j < kSteps; ++j) {
-            sum += nearest_squared(points, lattice.to_plane(Vec2(i + 0.5, j + 0.5) / kSteps));
+            sum += nearest_squared(points, lattice.to_position(Vec2(i + 0.5, j + 0.5) / kSteps));
         }
     }
     const double integral = sum * lattice.area() / (kSteps * kSteps);

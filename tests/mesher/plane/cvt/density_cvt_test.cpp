@@ -77,8 +77,8 @@ void add_triangle(const Lattice& lattice, const DensityFunction& rho, const Vec2
         Vec2 u = lattice.to_lattice(m);
         u -= Vec2(u.array().floor());
         const double part = cross(q - p, r - p) / 6 *
-                            testing::value_at(rho, {lattice.to_plane(u).x(),
-                                                    lattice.to_plane(u).y(), u.x(), u.y()});
+                            testing::value_at(rho, {lattice.to_position(u).x(),
+                                                    lattice.to_position(u).y(), u.x(), u.y()});
         mass += part;
         first += part * m;
     }

@@ -39,7 +39,7 @@ double share_of_close_pairs(const SymmetricSites& sites) {
     int n_close = 0;
     for (int h = 0; h < t.n_halfedges(); ++h) {
         const Vec2 way = at(t.corner(TorusTriangulation::next(h))) - at(t.corner(h));
-        if (reduced.to_plane(way).norm() < 0.4 * sites.sites.spacing()) ++n_close;
+        if (reduced.to_position(way).norm() < 0.4 * sites.sites.spacing()) ++n_close;
     }
     return 0.5 * n_close / sites.sites.n_sites();
 }

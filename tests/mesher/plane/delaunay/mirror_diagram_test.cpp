@@ -43,7 +43,7 @@ Areas areas(const std::vector<Piece>& pieces) {
 Areas brute_force_areas(const Sites& sites) {
     const Lattice& basis = sites.reduction().reduced;
     const auto plane = [&](const Image& p) {
-        return Vec2(basis.to_plane({p.u + p.offset.i, p.v + p.offset.j}));
+        return Vec2(basis.to_position({p.u + p.offset.i, p.v + p.offset.j}));
     };
     std::vector<Image> images;
     for (SiteId s = 0; s < sites.n_sites(); ++s) {
@@ -58,7 +58,7 @@ Areas brute_force_areas(const Sites& sites) {
             const Vec2 d = plane(q) - plane(p);
             if (d.norm() == 0) continue;
             const auto beyond = [&](const Vec2& u) {
-                return d.dot(basis.to_plane(u) - plane(p)) - d.squaredNorm() / 2;
+                return d.dot(basis.to_position(u) - plane(p)) - d.squaredNorm() / 2;
             };
             std::vector<Vec2> kept;
             for (std::size_t k = 0; k < polygon.size(); ++k) {

@@ -244,7 +244,7 @@ Eigen::VectorXf ulp_move(const MovingDelaunay& delaunay, std::mt19937_64& random
     for (SiteId s = 0; s < delaunay.n_sites(); ++s) {
         const double i = double(random() % 3) - 1;
         const double j = double(random() % 3) - 1;
-        move.segment<2>(2 * s) = delaunay.frame().to_plane({i * kUlp, j * kUlp}).cast<float>();
+        move.segment<2>(2 * s) = delaunay.frame().to_position({i * kUlp, j * kUlp}).cast<float>();
     }
     return move;
 }
@@ -267,7 +267,7 @@ Sites hexagons() {
     Points points(2, 60);
     for (int k = 0, s = 0; k < 64; ++k) {
         if (k % 4 != 0 || k / 8 % 4 != 0) {
-            points.col(s++) = lattice.to_plane({k % 8 / 8.0, k / 8 / 8.0});
+            points.col(s++) = lattice.to_position({k % 8 / 8.0, k / 8 / 8.0});
         }
     }
     return {lattice, points};

@@ -48,8 +48,8 @@ TEST(SiteMoves, AreUndoneExactly) {
 
 TEST(SiteMoves, OmitWholePeriods) {
     Eigen::VectorXf direction(4);
-    const Vec2 periods = kOblique.to_plane({3, -2});
-    direction << periods.cast<float>(), (periods + kOblique.to_plane({0.25, -0.375})).cast<float>();
+    const Vec2 periods = kOblique.to_position({3, -2});
+    direction << periods.cast<float>(), (periods + kOblique.to_position({0.25, -0.375})).cast<float>();
     const SiteMoves moves(kOblique, direction, 1);
     EXPECT_LT(moves.of(0).norm(), 1e-6);
     EXPECT_LT((moves.of(1) - Vec2(0.25, -0.375)).norm(), 1e-6);
@@ -97,7 +97,7 @@ TEST(SiteMoves, ReportCoordinatesThatLeaveTheirRange) {
                 coordinates.col(site) = edge;
                 const Vec2 outwards = beyond * edge.cwiseSign();
                 Eigen::VectorXf direction = Eigen::VectorXf::Zero(2 * kSites);
-                direction.segment<2>(2 * site) = kOblique.to_plane(outwards).cast<float>();
+                direction.segment<2>(2 * site) = kOblique.to_position(outwards).cast<float>();
                 const auto outcome =
                     SiteMoves(kOblique, direction, 1).apply(0, kSites, coordinates);
                 EXPECT_EQ(outcome.in_range, beyond < 0.01) << edge.transpose();

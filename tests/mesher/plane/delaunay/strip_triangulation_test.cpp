@@ -84,7 +84,7 @@ TEST(StripTriangulation, CoversTheTorusWhereSitesAreClustered) {
         const Vec2 spread(std::pow(10, -(k % 4)), std::pow(10, -(k % 5)));
         for (Eigen::Index s = 0; s < points.cols() - 1; ++s) {
             const Vec2 u(spread.x() * normal(random), spread.y() * normal(random));
-            points.col(s) = lattice.to_plane(u);
+            points.col(s) = lattice.to_position(u);
         }
         SCOPED_TRACE("input " + std::to_string(k));
         expect_strips(Sites(lattice, points));

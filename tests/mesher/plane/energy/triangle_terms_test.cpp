@@ -90,7 +90,7 @@ Vec2 to_lattice(const ReducedFrame& frame, const Vec2& d) {
 /// it, `near` times as long; the corners are rotated by `first`.
 Corners corners_at_angle(const ReducedFrame& frame, const Vec2& p, double angle, double near,
                          int first) {
-    const Vec2 side = frame.to_plane(p);
+    const Vec2 side = frame.to_position(p);
     const Vec2 q = to_lattice(frame, near * (Eigen::Rotation2Dd(angle) * side));
     const std::array<Corners, 3> turned{Corners{p, q}, Corners{q - p, -p}, Corners{-q, p - q}};
     return turned[first % 3];
@@ -165,9 +165,9 @@ TEST(TriangleBlock, EqualsTheTermsOfOneTriangle) {
 TEST(TriangleBlock, ComputesTheCosines) {
     const ReducedFrame frame = frame_of(Lattice({1, 0}, {0.37, 0.81}));
     for_blocks(random_triangles(640, 4), frame, [&](const auto& block, int k, const Corners& c) {
-        const Vec2 p = frame.to_plane(c.p);
-        const Vec2 q = frame.to_plane(c.q);
-        const Vec2 r = frame.to_plane(c.q - c.p);
+        const Vec2 p = frame.to_position(c.p);
+        const Vec2 q = frame.to_position(c.q);
+        const Vec2 r = frame.to_position(c.q - c.p);
         ASSERT_NEAR(block.cosine0[k], p.dot(q), 1e-14 * p.norm() * q.norm());
         ASSERT_NEAR(block.cosine1[k], -p.dot(r), 1e-14 * p.norm() * r.norm());
         ASSERT_NEAR(block.cosine2[k], q.dot(r), 1e-14 * q.norm() * r.norm());

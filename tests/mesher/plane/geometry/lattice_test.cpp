@@ -21,7 +21,7 @@ TEST(Lattice, CoordinatesRoundTrip) {
     for (const auto& [name, lattice] : lattices()) {
         const Vec2 p = 0.3 * lattice.a() - 1.7 * lattice.b();
         const double size = lattice.a().norm() + lattice.b().norm();
-        EXPECT_LT((lattice.to_plane(lattice.to_lattice(p)) - p).norm(), 1e-14 * size) << name;
+        EXPECT_LT((lattice.to_position(lattice.to_lattice(p)) - p).norm(), 1e-14 * size) << name;
     }
 }
 

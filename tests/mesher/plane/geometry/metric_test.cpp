@@ -21,7 +21,7 @@ TEST(Metric, MapsBackAndForthWithoutChangingAreas) {
                 const Lattice round = metric.to_round(lattice);
                 EXPECT_NEAR(round.area(), lattice.area(), 1e-11 * lattice.area());
                 EXPECT_EQ(round.right_handed(), lattice.right_handed());
-                const Vec2 p = lattice.to_plane({0.3, 0.8});
+                const Vec2 p = lattice.to_position({0.3, 0.8});
                 const Vec2 there = metric.to_round(p);
                 EXPECT_LT((metric.from_round(there) - p).norm(), 1e-13 * p.norm());
                 EXPECT_LT((round.to_lattice(there) - Vec2(0.3, 0.8)).norm(), 1e-10);

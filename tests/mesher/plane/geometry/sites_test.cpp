@@ -28,7 +28,7 @@ TEST(Sites, PositionsAreThePointsModuloTheLattice) {
         for (SiteId s = 0; s < sites.n_sites(); ++s) {
             const Vec2 difference = given.col(s) - sites.position(s);
             const Vec2 periods = reduced.to_lattice(difference).array().round();
-            EXPECT_LT((difference - reduced.to_plane(periods)).norm(), 1e-14 * size) << name;
+            EXPECT_LT((difference - reduced.to_position(periods)).norm(), 1e-14 * size) << name;
             EXPECT_GE(sites.coordinates().col(s).minCoeff(), 0) << name;
             EXPECT_LT(sites.coordinates().col(s).maxCoeff(), 1) << name;
         }

@@ -173,7 +173,7 @@ PeriodicMesh hard_cells(std::uint64_t seed) {
                           {seed % 5 == 0 ? uniform() : 0, std::pow(10, -3.0 * (seed % 4 == 0))});
     const PeriodicMesh cells = ready_cells(Sites(lattice, uniform_points(lattice, n, seed)));
     if (seed / 2 % 2 == 0) return cells;
-    const Vec2 origin = lattice.to_plane({uniform(), uniform()});
+    const Vec2 origin = lattice.to_position({uniform(), uniform()});
     return cut_along_box(cells, origin, kGrainSnap * spacing(cells)).pieces;
 }
 
@@ -245,7 +245,7 @@ TEST(Grains, TrianglesLieInTheCellOfTheirSite) {
         for (int i = -9; i <= 9; ++i) {
             for (int j = -2; j <= 2; ++j) {
                 const Vec2 image = u - u.array().round().matrix() + Vec2(i, j);
-                own = std::min(own, lattice.to_plane(image).squaredNorm());
+                own = std::min(own, lattice.to_position(image).squaredNorm());
             }
         }
         EXPECT_NEAR(own, testing::squared_distance(sites, middle), 1e-12);

@@ -82,7 +82,7 @@ TEST(BoxNodes, LieOnSidesOfTheBoxOrAwayFromThem) {
         if (k % 5 == 1) shape = Ellipse{centre, radius, 0.4 * radius, 360 * unit(random)};
         if (k % 5 == 2) shape = hexagon(centre, radius, unit(random));
         // A second shape in a gap makes chords of different lengths.
-        const Vec2 beside = centre + lattice.to_plane({0.5, 0.5});
+        const Vec2 beside = centre + lattice.to_position({0.5, 0.5});
         InclusionSet set(lattice, {{shape, 1, 1}, {Circle{beside, 0.05}, 1, 2}});
         set.set_box(corner);
         const double h = 0.02 + 0.06 * unit(random);

@@ -14,7 +14,7 @@ using testing::kSquare;
 Vec2 random_point(const Lattice& lattice, std::mt19937_64& random) {
     std::uniform_real_distribution<double> unit(-2, 2);
     const double u = unit(random);
-    return lattice.to_plane({u, unit(random)});
+    return lattice.to_position({u, unit(random)});
 }
 
 std::vector<Lattice> test_lattices() {

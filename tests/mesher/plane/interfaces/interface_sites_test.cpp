@@ -47,7 +47,7 @@ TEST(InterfaceSites, SlowCirclesHoldTheSeedsOfTheirChordsAndNoOther) {
                 for (int k = 0; k < 9; ++k) {
                     const Vec2 d =
                         pairs.coordinates.col(s) + Vec2(k % 3 - 1, k / 3 - 1) - circle.centre;
-                    const double ratio = reduced.to_plane(d).norm() / circle.radius;
+                    const double ratio = reduced.to_position(d).norm() / circle.radius;
                     const bool is_on = std::abs(ratio - 1) < 1e-9;
                     EXPECT_TRUE(is_on || ratio > 1.009) << seed << ": " << ratio;
                     n_on += is_on;
@@ -101,8 +101,8 @@ TEST(InterfaceSites, SeedsAreMirroredInTheirChords) {
         const InterfaceSites pairs = place(one);
         const Lattice& reduced = one.set.reduction().reduced;
         for (const Chord& chord : pairs.chords) {
-            const Vec2 inside = reduced.to_plane(pairs.coordinates.col(chord.inside));
-            const Vec2 outside = reduced.to_plane(pairs.coordinates.col(chord.outside)) +
+            const Vec2 inside = reduced.to_position(pairs.coordinates.col(chord.inside));
+            const Vec2 outside = reduced.to_position(pairs.coordinates.col(chord.outside)) +
                                  one.set.lattice().translation(chord.offset);
             for (const Vec2& node : {chord.from, chord.to}) {
                 EXPECT_NEAR((inside - node).norm(), (outside - node).norm(), 3e-15);

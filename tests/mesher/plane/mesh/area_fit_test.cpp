@@ -79,7 +79,7 @@ TEST(AreaFit, CellsInABoxHaveThemWhereverItLies) {
             const AreaCvtResult cells = testing::power_cells(lattice, 40, seed, kRound, 4);
             TileOptions options{.outline = Outline::kBox, .short_edges = 0.05};
             options.kind = seed % 2 == 0 ? MeshKind::kGrains : MeshKind::kVoronoi;
-            options.origin = lattice.to_plane({0.1 * seed, -0.3 * seed});
+            options.origin = lattice.to_position({0.1 * seed, -0.3 * seed});
             options.finds_origin = seed == 3;
             expect_areas(built(lattice, cells, kRound, options), 40, seed, kRound);
         }

@@ -79,7 +79,7 @@ TEST(CellSides, OfATriangulationAreThoseOfItsCells) {
             EXPECT_EQ(cell_sides(delaunay), cell_sides(cell_mesh(delaunay))) << name << n;
         }
         Points grid(2, 12);
-        for (int k = 0; k < 12; ++k) grid.col(k) = lattice.to_plane({k % 3 / 3.0, k / 3 / 4.0});
+        for (int k = 0; k < 12; ++k) grid.col(k) = lattice.to_position({k % 3 / 3.0, k / 3 / 4.0});
         const PeriodicDelaunay delaunay(Sites(lattice, grid));
         EXPECT_EQ(cell_sides(delaunay), cell_sides(cell_mesh(delaunay))) << name;
     }

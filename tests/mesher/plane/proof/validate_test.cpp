@@ -104,7 +104,7 @@ TEST(ProveTile, GridsOfAnyLatticeAreProvedWithTheirPairs) {
 TEST(ProveTile, TileFarFromTheOriginIsProved) {
     for (const Lattice& lattice : many_lattices()) {
         Tile tile = grid_tile(lattice, 4, 3);
-        const Vec2 far = lattice.to_plane({1234.5678, -987.654});
+        const Vec2 far = lattice.to_position({1234.5678, -987.654});
         for (Vec2& p : tile.points) p += far;
         expect_proved(tile, 20, 12);
     }

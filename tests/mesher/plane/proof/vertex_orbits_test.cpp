@@ -34,7 +34,7 @@ Cloud random_cloud(const Lattice& lattice, std::mt19937& random) {
         // The coordinates are multiples of 1/5 and 1/4, so all 20 points differ and some lie on the
         // border of the domain.
         const Vec2 u(orbit % 5 / 5.0 + offset.i, orbit / 5 / 4.0 + offset.j);
-        cloud.points.push_back(lattice.to_plane(u) + Vec2(noise(random), noise(random)));
+        cloud.points.push_back(lattice.to_position(u) + Vec2(noise(random), noise(random)));
         cloud.orbit.push_back(orbit);
         cloud.offset.push_back(offset);
     }
@@ -68,7 +68,7 @@ TEST(VertexOrbits, PairsAreFoundWhereverTheyLie) {
     for (const Lattice& lattice : orbit_lattices()) {
         std::vector<Vec2> points;
         for (int v = 0; v < 40000; v += 2) {
-            points.push_back(lattice.to_plane({uniform(random), uniform(random)}));
+            points.push_back(lattice.to_position({uniform(random), uniform(random)}));
             const Vec2 apart(uniform(random) - 0.5, uniform(random) - 0.5);
             points.push_back(points.back() + lattice.translation({-1, 2}) + kTolerance * apart);
         }

@@ -27,7 +27,7 @@ double distance_to(const Points& points, const Vec2& p, const Lattice& period) {
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
         Vec2 u = reduced.to_lattice(p - points.col(s));
         u -= u.array().round().matrix();
-        nearest = std::min(nearest, reduced.to_plane(u).norm());
+        nearest = std::min(nearest, reduced.to_position(u).norm());
     }
     return nearest;
 }

@@ -73,7 +73,7 @@ TEST(PlaneGroup, IsClosedAndKeepsTheGramMatrix) {
                     }
                     for (const Vec2& u : {Vec2(1, 0), Vec2(0, 1), Vec2(1, 1)}) {
                         const Vec2 turned = g(u) - g(Vec2(0, 0));
-                        EXPECT_NEAR(reduced.to_plane(turned).norm() / reduced.to_plane(u).norm(), 1,
+                        EXPECT_NEAR(reduced.to_position(turned).norm() / reduced.to_position(u).norm(), 1,
                                     1e-12);
                     }
                 }
@@ -87,12 +87,12 @@ TEST(PlaneGroup, ActsAlikeInTheReducedBasis) {
     for (const Published& published : kPublished) {
         for (const Lattice& lattice : lattices_of(published.name)) {
             const PlaneGroup group(published.name, lattice);
-            const Vec2 p = lattice.to_plane({0.123, 0.456});
+            const Vec2 p = lattice.to_position({0.123, 0.456});
             for (int k = 0; k < group.order(); ++k) {
                 const Vec2 given =
-                    lattice.to_plane(group.given_operations()[k](lattice.to_lattice(p)));
+                    lattice.to_position(group.given_operations()[k](lattice.to_lattice(p)));
                 const Lattice& reduced = group.reduction().reduced;
-                const Vec2 other = reduced.to_plane(group.operations()[k](reduced.to_lattice(p)));
+                const Vec2 other = reduced.to_position(group.operations()[k](reduced.to_lattice(p)));
                 const Vec2 periods = lattice.to_lattice(given - other);
                 EXPECT_LT((periods.array() - periods.array().round()).abs().maxCoeff(), 1e-9)
                     << published.order << " " << group.row().word;

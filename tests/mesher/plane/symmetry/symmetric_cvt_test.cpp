@@ -162,7 +162,7 @@ TEST(SymmetricCvt, OfABoxIsTheClippedOne) {
         int count = 0;
         for (SiteId s = 0; s < 4 * n; ++s) {
             const Vec2 u = group.lattice().to_lattice(result.delaunay.sites().position(s));
-            const Vec2 p = group.lattice().to_plane(u.array() - u.array().floor());
+            const Vec2 p = group.lattice().to_position(u.array() - u.array().floor());
             if (p.x() >= width || p.y() >= height) continue;
             ASSERT_LT(count, n);
             quarter.col(count++) = p;

@@ -149,7 +149,7 @@ TEST(SymmetricObjective, HasTheValueOfAllSitesAndFoldsTheLloydStep) {
             const Lattice& lattice = moved.reduction().reduced;
             Vec2 periods = lattice.to_lattice(moved.position(s) - target);
             periods.array() -= periods.array().round();
-            EXPECT_LT(lattice.to_plane(periods).norm(), 1e-6 * h) << row.word << " site " << s;
+            EXPECT_LT(lattice.to_position(periods).norm(), 1e-6 * h) << row.word << " site " << s;
         }
     }
 }

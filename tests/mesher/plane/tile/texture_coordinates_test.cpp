@@ -25,7 +25,7 @@ std::vector<Tile> textured_tiles() {
     lattices.emplace_back(Vec2(1, 0), Vec2(7, 1));
     for (const Lattice& lattice : lattices) {
         for (const Vec2& u : {Vec2(0, 0), Vec2(0.3, -2.7), Vec2(1000.25, -5e5)}) {
-            result.push_back(cells(lattice, lattice.to_plane(u)));
+            result.push_back(cells(lattice, lattice.to_position(u)));
         }
     }
     return result;
@@ -51,7 +51,7 @@ TEST(TextureCoordinates, PartnersBetweenTwoStepsAreRoundedAlike) {
     for (int k = 0; k < 200; ++k) {
         Tile tile = testing::grid_tile(lattice, 1, 1);
         const double odd = 2 * k + 1;
-        for (Vec2& p : tile.points) p += lattice.to_plane(std::ldexp(odd, -23) * Vec2(1, 1));
+        for (Vec2& p : tile.points) p += lattice.to_position(std::ldexp(odd, -23) * Vec2(1, 1));
         const auto uv = texture_coordinates(tile);
         for (const VertexPair& pair : tile.vertex_pairs) {
             EXPECT_EQ(uv[pair.w][0] - uv[pair.v][0], static_cast<float>(pair.offset.i)) << k;
@@ -87,7 +87,7 @@ TEST(TextureCoordinates, TilesNearZeroKeepTheirLatticeCoordinates) {
     const Tile tile = cells(lattice, {0, 0});
     const auto uv = texture_coordinates(tile);
     for (int v = 0; v < tile.n_vertices(); ++v) {
-        const Vec2 p = lattice.to_plane(Vec2(uv[v][0], uv[v][1]));
+        const Vec2 p = lattice.to_position(Vec2(uv[v][0], uv[v][1]));
         EXPECT_LT((p - tile.points[v]).norm(), 1e-6);
     }
 }

@@ -25,7 +25,7 @@ TEST(SiteTree, Law1NoImageIsNearer) {
         }
         const SiteTree tree(lattice, points, weights);
         EXPECT_EQ(tree.n_sites(), n);
-        const Vec2 p = lattice.to_plane({uniform(random), uniform(random)});
+        const Vec2 p = lattice.to_position({uniform(random), uniform(random)});
         double least = std::numeric_limits<double>::infinity();
         for (SiteId s = 0; s < n; ++s) {
             const double weight = weights.size() > 0 ? weights[s] : 0;

@@ -83,7 +83,7 @@ TEST(VoxelImage, Law1LabelsAreThoseOfBruteForce) {
                     const Metric metric(ratio, 30);
                     const auto delaunay = diagram(lattice, n, law, metric, ++seed);
                     const VoxelGrid grid =
-                        voxel_grid(lattice, lattice.to_plane({0.3, -2.6}), {17, 12});
+                        voxel_grid(lattice, lattice.to_position({0.3, -2.6}), {17, 12});
                     const VoxelImage image = voxel_image(delaunay, metric, grid, 1);
                     EXPECT_EQ(n_wrong(delaunay, metric, image, 1e-13), 0) << name << " " << n;
                 }

@@ -85,7 +85,7 @@ TEST(Gram, IsTheMetricInUnitsOfTheShortestPeriod) {
         const double per_unit = gram.aa / reduced.a().squaredNorm();
         const Vec3 u(0.3, -0.7, 1.1);
         EXPECT_NEAR(gram.squared_length(u.x(), u.y(), u.z()),
-                    per_unit * reduced.to_space(u).squaredNorm(),
+                    per_unit * reduced.to_position(u).squaredNorm(),
                     1e-13 * gram.squared_length(u.x(), u.y(), u.z()));
     }
 }

@@ -43,9 +43,9 @@ TEST(Frame, IsARotationOfTheReducedBasis) {
         const Frame frame(reduced, 2);
         EXPECT_NEAR(8 * frame.volume(), reduced.volume(), 1e-12 * reduced.volume());
         for (const Vec3& u : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.3, -2, 1.4)}) {
-            const double length = reduced.to_space(u).norm();
-            EXPECT_NEAR(2 * frame.to_space(u).norm(), length, 1e-13 * length);
-            EXPECT_LT((frame.to_lattice(frame.to_space(u)) - u).norm(), 1e-13);
+            const double length = reduced.to_position(u).norm();
+            EXPECT_NEAR(2 * frame.to_position(u).norm(), length, 1e-13 * length);
+            EXPECT_LT((frame.to_lattice(frame.to_position(u)) - u).norm(), 1e-13);
         }
     }
 }

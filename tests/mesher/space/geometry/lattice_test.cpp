@@ -27,7 +27,7 @@ TEST(Lattice, CoordinatesAreInverse) {  // law 1
         const double v = uniform(random);
         const Vec3 at(u, v, uniform(random));
         const double stretch = lattice.a().norm() * lattice.b().norm() * lattice.c().norm();
-        EXPECT_LT((lattice.to_lattice(lattice.to_space(at)) - at).norm(),
+        EXPECT_LT((lattice.to_lattice(lattice.to_position(at)) - at).norm(),
                   1e-14 * stretch / lattice.volume());
     }
 }
@@ -109,7 +109,7 @@ TEST(Reduction, CellsLieWithinOnePeriod) {
         for (int ray = 0; ray < 200; ++ray) {
             const double u = normal(random);
             const double v = normal(random);
-            const Vec3 along = r.to_space({u, v, normal(random)});
+            const Vec3 along = r.to_position({u, v, normal(random)});
             double length = std::numeric_limits<double>::infinity();
             for (int o = 0; o < 125; ++o) {
                 const Vec3 p = r.translation({o / 25 - 2, o / 5 % 5 - 2, o % 5 - 2});

@@ -48,7 +48,7 @@ double distance_to_vertices(const CellComplex& complex, const Vec3& point) {
         const Vec3 wrapped = apart.array() - apart.array().round();
         for (int k = 0; k < 27; ++k) {
             const Vec3 image = wrapped + Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-            nearest = std::min(nearest, complex.reduced.to_space(image).norm());
+            nearest = std::min(nearest, complex.reduced.to_position(image).norm());
         }
     }
     return nearest;

@@ -42,7 +42,7 @@ std::vector<double> nearest_distances(const PeriodicDelaunay& delaunay, const Fr
             for (const Corner& other : corners) {
                 if (one == other) continue;
                 const Vec3 edge = image(coordinates, other).at - image(coordinates, one).at;
-                nearest[one.site] = std::min(nearest[one.site], frame.to_space(edge).norm());
+                nearest[one.site] = std::min(nearest[one.site], frame.to_position(edge).norm());
             }
         }
     }
@@ -105,7 +105,7 @@ void expect_gradient_of_differences(const PeriodicDelaunay& delaunay, const Ener
         };
         const double derivative =
             energy.gradient.segment<3>(MovingTetrahedra::kNumbersPerSite * site)
-                .dot(frame.to_space(move));
+                .dot(frame.to_position(move));
         EXPECT_NEAR(derivative, (value(1) - value(-1)) / 2, 1e-6 * frame.volume() * length * step);
     }
 }
