@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "io/bytes/json.hpp"
+#include "io/bytes/json_writer.hpp"
 #include "io/gltf/gltf_container.hpp"
 #include "mesher/portable/decimal_text.hpp"
 
@@ -19,67 +19,39 @@ constexpr double kMostPlain = 1e15;
 constexpr std::size_t kEntryBytes = 100;
 constexpr std::size_t kNodeBytes = 400;
 
-void append_comma(std::string& json) {
-    if (json.back() != '{' && json.back() != '[') json += ',';
-}
-
-void append_key(std::string& json, std::string_view key) {
-    append_comma(json);
-    append_json_string(json, key);
-    json += ':';
-}
-
-void append_entry(std::string& json, std::string_view key, std::string_view text) {
-    append_key(json, key);
-    append_json_string(json, text);
-}
-
-void append_entry(std::string& json, std::string_view key, std::size_t number) {
-    append_key(json, key);
-    json += std::to_string(number);
-}
-
-void append_entry(std::string& json, std::string_view key, int number) {
-    append_entry(json, key, static_cast<std::size_t>(number));
-}
-
 /// Appends the shortest decimal number that reads back; whole numbers end in ".0".
-void append_real(std::string& json, double value) {
+void append_real(JsonWriter& json, double value) {
     std::array<char, 32> digits;
     const double size = std::abs(value);
     const bool plain = value == 0 || (size >= kLeastPlain && size < kMostPlain);
     const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
     char* const begin = digits.data();
-    char* const end = write_decimal(begin, begin + digits.size(), value, format);
-    json.append(begin, end);
-    if (plain && std::find(begin, end, '.') == end) json += ".0";
+    char* end = write_decimal(begin, begin + digits.size() - 2, value, format);
+    if (plain && std::find(begin, end, '.') == end) {
+        *end++ = '.';
+        *end++ = '0';
+    }
+    json.raw({begin, end});
 }
 
-void append_entry(std::string& json, std::string_view key, double value) {
-    append_key(json, key);
+void append_real(JsonWriter& json, const char* key, double value) {
+    json.key(key);
     append_real(json, value);
 }
 
-/// Appends a named list; `append` writes an entry of it.
-template <class Entries, class Append>
-void append_list(std::string& json, std::string_view key, const Entries& entries,
-                 const Append& append) {
-    if (entries.empty()) return;
-    append_key(json, key);
-    json += '[';
-    for (const auto& entry : entries) {
-        append_comma(json);
-        append(entry);
-    }
-    json += ']';
+/// Appends a list as a member unless it is empty; `append_entry` appends an entry.
+template <class Entries, class AppendEntry>
+void append_list(JsonWriter& json, const char* key, const Entries& entries,
+                 const AppendEntry& append_entry) {
+    if (!entries.empty()) json.list(key, entries, append_entry);
 }
 
-void append_entry(std::string& json, std::string_view key, const std::vector<double>& numbers) {
+void append_reals(JsonWriter& json, const char* key, const std::vector<double>& numbers) {
     append_list(json, key, numbers, [&](double number) { append_real(json, number); });
 }
 
-void append_entry(std::string& json, std::string_view key, const std::vector<int>& numbers) {
-    append_list(json, key, numbers, [&](int number) { json += std::to_string(number); });
+void append_values(JsonWriter& json, const char* key, const auto& values) {
+    if (!values.empty()) json.member(key, values);
 }
 
 const char* type_word(int type) {
@@ -93,136 +65,133 @@ const char* type_word(int type) {
     }
 }
 
-void append_accessor(std::string& json, const tinygltf::Accessor& accessor) {
-    json += '{';
-    append_entry(json, "bufferView", accessor.bufferView);
-    if (accessor.byteOffset > 0) append_entry(json, "byteOffset", accessor.byteOffset);
-    append_entry(json, "componentType", accessor.componentType);
-    append_entry(json, "count", accessor.count);
-    append_entry(json, "max", accessor.maxValues);
-    append_entry(json, "min", accessor.minValues);
-    append_entry(json, "type", type_word(accessor.type));
-    json += '}';
+void append_accessor(JsonWriter& json, const tinygltf::Accessor& accessor) {
+    json.begin_object();
+    json.member("bufferView", accessor.bufferView);
+    if (accessor.byteOffset > 0) json.member("byteOffset", accessor.byteOffset);
+    json.member("componentType", accessor.componentType);
+    json.member("count", accessor.count);
+    append_reals(json, "max", accessor.maxValues);
+    append_reals(json, "min", accessor.minValues);
+    json.member("type", type_word(accessor.type));
+    json.end();
 }
 
-void append_view(std::string& json, const tinygltf::BufferView& view) {
-    json += '{';
-    append_entry(json, "buffer", view.buffer);
-    append_entry(json, "byteLength", view.byteLength);
-    if (view.byteOffset > 0) append_entry(json, "byteOffset", view.byteOffset);
-    append_entry(json, "target", view.target);
-    json += '}';
+void append_view(JsonWriter& json, const tinygltf::BufferView& view) {
+    json.begin_object();
+    json.member("buffer", view.buffer);
+    json.member("byteLength", view.byteLength);
+    if (view.byteOffset > 0) json.member("byteOffset", view.byteOffset);
+    json.member("target", view.target);
+    json.end();
 }
 
-void append_material(std::string& json, const tinygltf::Material& material) {
+void append_material(JsonWriter& json, const tinygltf::Material& material) {
     const tinygltf::PbrMetallicRoughness& surface = material.pbrMetallicRoughness;
-    json += '{';
-    append_key(json, "doubleSided");
-    json += material.doubleSided ? "true" : "false";
+    json.begin_object();
+    json.member("doubleSided", material.doubleSided);
     if (!material.extensions.empty()) {
-        append_key(json, "extensions");
-        json += '{';
-        for (const auto& [name, value] : material.extensions) {
-            append_key(json, name);
-            json += "{}";
+        json.object("extensions", [&] {
+            for (const auto& [name, value] : material.extensions) json.object(name, [] {});
+        });
+    }
+    json.member("name", material.name);
+    json.object("pbrMetallicRoughness", [&] {
+        // White is the default.
+        if (surface.baseColorFactor != std::vector<double>(4, 1)) {
+            append_reals(json, "baseColorFactor", surface.baseColorFactor);
         }
-        json += '}';
-    }
-    append_entry(json, "name", material.name);
-    append_key(json, "pbrMetallicRoughness");
-    json += '{';
-    // White is the default.
-    if (surface.baseColorFactor != std::vector<double>(4, 1)) {
-        append_entry(json, "baseColorFactor", surface.baseColorFactor);
-    }
-    append_entry(json, "metallicFactor", surface.metallicFactor);
-    append_entry(json, "roughnessFactor", surface.roughnessFactor);
-    json += "}}";
+        append_real(json, "metallicFactor", surface.metallicFactor);
+        append_real(json, "roughnessFactor", surface.roughnessFactor);
+    });
+    json.end();
 }
 
-void append_primitive(std::string& json, const tinygltf::Primitive& primitive) {
-    json += '{';
-    append_key(json, "attributes");
-    json += '{';
-    for (const auto& [name, accessor] : primitive.attributes) append_entry(json, name, accessor);
-    json += '}';
-    append_entry(json, "indices", primitive.indices);
-    append_entry(json, "material", primitive.material);
-    append_entry(json, "mode", primitive.mode);
-    json += '}';
+void append_primitive(JsonWriter& json, const tinygltf::Primitive& primitive) {
+    json.begin_object();
+    json.object("attributes", [&] {
+        for (const auto& [name, accessor] : primitive.attributes) json.member(name, accessor);
+    });
+    json.member("indices", primitive.indices);
+    json.member("material", primitive.material);
+    json.member("mode", primitive.mode);
+    json.end();
 }
 
-void append_mesh(std::string& json, const tinygltf::Mesh& mesh) {
-    json += '{';
-    append_entry(json, "name", mesh.name);
+void append_mesh(JsonWriter& json, const tinygltf::Mesh& mesh) {
+    json.begin_object();
+    json.member("name", mesh.name);
     append_list(json, "primitives", mesh.primitives,
                 [&](const auto& primitive) { append_primitive(json, primitive); });
-    json += '}';
+    json.end();
 }
 
 /// @param periodic  empty unless this is the node of the tile.
-void append_node(std::string& json, const tinygltf::Node& node, std::string_view periodic) {
-    json += '{';
-    append_entry(json, "children", node.children);
+void append_node(JsonWriter& json, const tinygltf::Node& node, std::string_view periodic) {
+    json.begin_object();
+    append_values(json, "children", node.children);
     if (!periodic.empty()) {
-        append_key(json, "extras");
-        json += '{';
-        append_key(json, "periodic");
-        json += periodic;
-        json += '}';
+        json.object("extras", [&] {
+            json.key("periodic");
+            json.raw(periodic);
+        });
     }
-    if (node.mesh >= 0) append_entry(json, "mesh", node.mesh);
-    append_entry(json, "name", node.name);
-    append_entry(json, "translation", node.translation);
-    json += '}';
+    if (node.mesh >= 0) json.member("mesh", node.mesh);
+    json.member("name", node.name);
+    append_reals(json, "translation", node.translation);
+    json.end();
 }
 
-void append_buffer(std::string& json, const std::vector<unsigned char>& buffer, bool embedded) {
-    append_key(json, "buffers");
-    json += "[{";
-    append_entry(json, "byteLength", buffer.size());
+/// @param text  to which `json` appends.
+void append_buffer(JsonWriter& json, std::string& text, const std::vector<unsigned char>& buffer,
+                   bool embedded) {
+    json.key("buffers");
+    json.begin_list();
+    json.begin_object();
+    json.member("byteLength", buffer.size());
     if (embedded) {
-        append_key(json, "uri");
-        json += '"';
-        append_data_uri(json, buffer);
-        json += '"';
+        json.key("uri");
+        json.raw("\"");
+        append_data_uri(text, buffer);
+        text += '"';
     }
-    json += "}]";
+    json.end();
+    json.end();
 }
 
 }  // namespace
 
 std::string gltf_json(const tinygltf::Model& model, std::string_view periodic,
                       const std::vector<unsigned char>& buffer, bool embedded) {
-    std::string json;
-    json.reserve(kEntryBytes * model.accessors.size() + kNodeBytes * model.materials.size() +
+    std::string text;
+    text.reserve(kEntryBytes * model.accessors.size() + kNodeBytes * model.materials.size() +
                  periodic.size() + (embedded ? 2 * buffer.size() : 0));
-    json += '{';
+    JsonWriter json(text, kCompactJson);
+    json.begin_object();
     append_list(json, "accessors", model.accessors,
                 [&](const auto& accessor) { append_accessor(json, accessor); });
-    append_key(json, "asset");
-    json += '{';
-    append_entry(json, "generator", model.asset.generator);
-    append_entry(json, "version", model.asset.version);
-    json += '}';
+    json.object("asset", [&] {
+        json.member("generator", model.asset.generator);
+        json.member("version", model.asset.version);
+    });
     append_list(json, "bufferViews", model.bufferViews,
                 [&](const auto& view) { append_view(json, view); });
-    append_buffer(json, buffer, embedded);
-    append_list(json, "extensionsUsed", model.extensionsUsed,
-                [&](const auto& name) { append_json_string(json, name); });
+    append_buffer(json, text, buffer, embedded);
+    append_values(json, "extensionsUsed", model.extensionsUsed);
     append_list(json, "materials", model.materials,
                 [&](const auto& material) { append_material(json, material); });
     append_list(json, "meshes", model.meshes, [&](const auto& mesh) { append_mesh(json, mesh); });
     append_list(json, "nodes", model.nodes, [&](const auto& node) {
         append_node(json, node, &node == model.nodes.data() ? periodic : "");
     });
-    append_entry(json, "scene", model.defaultScene);
+    json.member("scene", model.defaultScene);
     append_list(json, "scenes", model.scenes, [&](const auto& scene) {
-        json += '{';
-        append_entry(json, "nodes", scene.nodes);
-        json += '}';
+        json.begin_object();
+        append_values(json, "nodes", scene.nodes);
+        json.end();
     });
-    return json += '}';
+    json.end();
+    return text;
 }
 
 }  // namespace pcvt

@@ -3,7 +3,7 @@
 #include <array>
 #include <filesystem>
 
-#include "io/bytes/text.hpp"
+#include "io/bytes/json_writer.hpp"
 #include "io/colours/site_classes.hpp"
 #include "io/page/page_parts.hpp"
 #include "io/page/page_text.hpp"
@@ -15,127 +15,95 @@ namespace {
 
 constexpr int kVersion = 1;
 
-/// Appends `values` as a JSON list.
-template <class Values>
-void append_list(std::string& text, const Values& values) {
-    text += '[';
-    for (const auto value : values) {
-        if (text.back() != '[') text += ',';
-        append_number(text, value);
-    }
-    text += ']';
-}
+/// One entry a line, and one member a line.
+constexpr JsonLayout kRows{.before_first = "\n", .between = ",\n"};
+constexpr JsonLayout kMembers{.between = ",\n"};
 
-void append_points(std::string& text, const std::vector<plane::Vec2>& points) {
-    text += '[';
+/// Appends the coordinates of points as one list: x0, y0, x1, ...
+void append_points(JsonWriter& json, const char* key, const std::vector<plane::Vec2>& points) {
+    json.key(key);
+    json.begin_list();
     for (const plane::Vec2& p : points) {
-        if (text.back() != '[') text += ',';
-        append_number(text, p.x());
-        text += ',';
-        append_number(text, p.y());
+        for (const double x : p) json.value(x);
     }
-    text += ']';
+    json.end();
 }
 
 /// Appends a list of `n` lists, one a line.
 template <class ToNumbers>
-void append_rows(std::string& text, int n, ToNumbers to_numbers) {
-    text += '[';
-    for (int k = 0; k < n; ++k) {
-        text += k == 0 ? "\n" : ",\n";
-        append_list(text, to_numbers(k));
-    }
-    text += ']';
-}
-
-void append_key(std::string& text, const char* key) {
-    text += ",\n\"";
-    text += key;
-    text += "\": ";
+void append_rows(JsonWriter& json, const char* key, int n, ToNumbers to_numbers) {
+    json.key(key);
+    json.begin_list(kRows);
+    for (int k = 0; k < n; ++k) json.value(to_numbers(k));
+    json.end();
 }
 
 /// Appends the names of the phases, and the phase of each site of one period.
-void append_phases(std::string& text, const CellMaterials* materials) {
+void append_phases(JsonWriter& json, const CellMaterials* materials) {
     const CellMaterials none;
     const CellMaterials& shown = materials == nullptr ? none : *materials;
-    append_key(text, "phases");
-    text += '[';
-    for (const std::string& name : shown.phase_names) {
-        text += (text.back() == '[' ? "" : ", ") + json_string(name);
-    }
-    text += ']';
-    append_key(text, "site_phases");
-    append_list(text, shown.site_phase);
+    json.key("phases");
+    json.values(shown.phase_names, kSpacedJson);
+    json.member("site_phases", shown.site_phase);
 }
 
 /// Appends whether the sides across x and across y are walls, and the ends of each edge on a wall
 /// with the name of the wall; nothing without walls.
-void append_walls(std::string& text, const plane::Tile& tile) {
+void append_walls(JsonWriter& json, const plane::Tile& tile) {
     if (tile.wall_edges.empty()) return;
-    append_key(text, "walls");
-    append_list(text, std::array{int{has_walls_across(tile.walls, 0)},
-                                 int{has_walls_across(tile.walls, 1)}});
-    append_key(text, "wall_edges");
-    text += '[';
+    json.member("walls", std::array{int{has_walls_across(tile.walls, 0)},
+                                    int{has_walls_across(tile.walls, 1)}});
+    json.key("wall_edges");
+    json.begin_list(kRows);
     for (const plane::WallEdge& edge : tile.wall_edges) {
-        text += text.back() == '[' ? "\n[" : ",\n[";
-        for (const int v : {edge.v0, edge.v1}) {
-            append_number(text, v);
-            text += ',';
-        }
-        text += json_string(wall_name(tile, edge.wall)) + "]";
+        json.begin_list();
+        json.value(edge.v0);
+        json.value(edge.v1);
+        json.value(wall_name(tile, edge.wall));
+        json.end();
     }
-    text += ']';
+    json.end();
 }
 
 std::string page_data(const plane::Tile& tile, const FileOptions& options,
                       const std::string& name) {
     const bool owned = faces_have_sites(tile.kind);
-    std::string text = "{\"format\": \"pcvt page\", \"version\": ";
-    append_number(text, kVersion);
-    append_key(text, "name");
-    text += json_string(name);
+    std::string text;
+    JsonWriter json(text, kCompactJson, JsonEscapes::kInPage);
+    json.begin_object(kSpacedJson);
+    json.member("format", "pcvt page");
+    json.member("version", kVersion);
+    json.set_layout(kMembers);
+    json.member("name", name);
     const Colouring colouring =
         options.colouring.value_or(default_picture_colouring(tile, options.quantities()));
-    append_key(text, "colouring");
-    text += json_string(colouring_row(colouring).word);
-    append_key(text, "kind");
-    text += json_string(file_word(tile.kind));
-    append_key(text, "lattice");
-    append_rows(text, 2, [&](int k) { return k == 0 ? tile.lattice.a() : tile.lattice.b(); });
-    append_key(text, "points");
-    append_points(text, tile.points);
-    append_key(text, "faces");
-    append_rows(text, tile.n_faces(), [&](int f) { return tile.faces[f]; });
-    append_key(text, "sites");
-    append_list(text, owned ? tile.face_site : tile.vertex_site);
-    append_key(text, "sides");
-    append_list(text, owned ? cell_sides(tile) : vertex_valences(tile));
-    append_key(text, "site_points");
-    append_points(text, tile.site_points);
-    append_key(text, "densities");
-    append_list(text, options.site_densities);
-    append_phases(text, options.materials);
-    append_key(text, "orbits");
-    append_list(text, options.site_orbits);
-    append_key(text, "orbit_classes");
-    append_list(text, owned && !options.site_orbits.empty()
-                          ? site_classes(tile, options.site_orbits)
-                          : std::vector<int>());
-    append_key(text, "classes");
-    append_list(text, owned ? site_classes(tile) : std::vector<int>());
-    append_key(text, "vertex_pairs");
-    append_rows(text, static_cast<int>(tile.vertex_pairs.size()), [&](int k) {
+    json.member("colouring", colouring_row(colouring).word);
+    json.member("kind", file_word(tile.kind));
+    append_rows(json, "lattice", 2,
+                [&](int k) { return k == 0 ? tile.lattice.a() : tile.lattice.b(); });
+    append_points(json, "points", tile.points);
+    append_rows(json, "faces", tile.n_faces(), [&](int f) { return tile.faces[f]; });
+    json.member("sites", owned ? tile.face_site : tile.vertex_site);
+    json.member("sides", owned ? cell_sides(tile) : vertex_valences(tile));
+    append_points(json, "site_points", tile.site_points);
+    json.member("densities", options.site_densities);
+    append_phases(json, options.materials);
+    json.member("orbits", options.site_orbits);
+    json.member("orbit_classes", owned && !options.site_orbits.empty()
+                                     ? site_classes(tile, options.site_orbits)
+                                     : std::vector<int>());
+    json.member("classes", owned ? site_classes(tile) : std::vector<int>());
+    append_rows(json, "vertex_pairs", static_cast<int>(tile.vertex_pairs.size()), [&](int k) {
         const plane::VertexPair& p = tile.vertex_pairs[static_cast<std::size_t>(k)];
         return std::array{p.v, p.w, p.offset.i, p.offset.j};
     });
-    append_key(text, "edge_pairs");
-    append_rows(text, static_cast<int>(tile.edge_pairs.size()), [&](int k) {
+    append_rows(json, "edge_pairs", static_cast<int>(tile.edge_pairs.size()), [&](int k) {
         const plane::EdgePair& p = tile.edge_pairs[static_cast<std::size_t>(k)];
         return std::array{p.v0, p.v1, p.w0, p.w1, p.offset.i, p.offset.j};
     });
-    append_walls(text, tile);
-    return text + "}";
+    append_walls(json, tile);
+    json.end();
+    return text;
 }
 
 }  // namespace

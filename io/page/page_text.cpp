@@ -4,23 +4,6 @@
 
 namespace pcvt {
 
-std::string json_string(std::string_view text) {
-    constexpr std::string_view kHexDigits = "0123456789abcdef";
-    constexpr std::string_view kEscaped = "\"\\<>&";
-    std::string json = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte >= 0x20 && kEscaped.find(c) == std::string_view::npos) {
-            json += c;
-        } else {
-            json += "\\u00";
-            json += kHexDigits[byte / 16];
-            json += kHexDigits[byte % 16];
-        }
-    }
-    return json + '"';
-}
-
 std::string html_text(std::string_view text) {
     constexpr std::array<std::pair<char, std::string_view>, 4> kEntities{
         {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}}};

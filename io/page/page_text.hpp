@@ -7,9 +7,6 @@
 
 namespace pcvt {
 
-/// Returns the JSON string of a text, with escapes for quotes, controls and what is a mark in HTML.
-std::string json_string(std::string_view text);
-
 /// Returns a text with entities for what is a mark in HTML.
 std::string html_text(std::string_view text);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/bytes/json_writer.hpp"
 #include "io/page/page_parts.hpp"
 #include "io/page/page_text.hpp"
 
@@ -46,16 +47,22 @@ std::string table_section(const StudyPageTable& table) {
 /// Returns {"points": {NAME: the points of its plots}, "csv": {NAME: the bytes of the file}}.
 std::string page_data(const std::vector<StudyPagePicture>& pictures,
                       const std::vector<StudyPageTable>& tables) {
-    std::string points;
-    for (const StudyPagePicture& picture : pictures) {
-        if (picture.points.empty()) continue;
-        points += (points.empty() ? "" : ",\n") + json_string(picture.name) + ": " + picture.points;
-    }
-    std::string csv;
-    for (const StudyPageTable& table : tables) {
-        csv += (csv.empty() ? "" : ",\n") + json_string(table.name) + ": " + json_string(table.csv);
-    }
-    return "{\"points\": {" + points + "},\n\"csv\": {" + csv + "}}";
+    constexpr JsonLayout kMembers{.between = ",\n"};
+    std::string text;
+    JsonWriter json(text, kMembers, JsonEscapes::kInPage);
+    json.begin_object();
+    json.object("points", [&] {
+        for (const StudyPagePicture& picture : pictures) {
+            if (picture.points.empty()) continue;
+            json.key(picture.name);
+            json.raw(picture.points);
+        }
+    });
+    json.object("csv", [&] {
+        for (const StudyPageTable& table : tables) json.member(table.name, table.csv);
+    });
+    json.end();
+    return text;
 }
 
 }  // namespace

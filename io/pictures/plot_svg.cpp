@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/bytes/text.hpp"
+#include "io/bytes/json_writer.hpp"
 #include "io/pictures/plot_ticks.hpp"
 #include "io/pictures/svg_canvas.hpp"
 #include "mesher/base/error.hpp"
@@ -232,26 +232,34 @@ std::string Panel::dots(const PlotSeries& series) const {
 }  // namespace
 
 std::string plot_points(const std::vector<Plot>& plots) {
-    std::string json = "[";
+    constexpr JsonLayout kSeries{.between = ",\n"};
+    std::string text;
+    JsonWriter json(text);
+    json.begin_list(kSeries);
     for (std::size_t k = 0; k < plots.size(); ++k) {
         const Panel panel(plots[k], kPanelWidth * static_cast<double>(k));
         for (const PlotSeries& series : plots[k].series) {
             if (series.mark == PlotSeries::Mark::kDashes) continue;
-            json += json.size() > 1 ? ",\n" : "";
-            json += "{\"label\": \"" + series.label + "\", \"points\": [";
+            json.begin_object();
+            json.member("label", series.label);
+            json.key("points");
+            json.begin_list();
             for (const plane::Vec2& point : series.points) {
-                json += json.back() == '[' ? "[" : ", [";
-                const plane::Vec2 pixel = panel.pixel(point);
-                append_pixels(json, pixel.x());
-                append_pixels(json += ',', pixel.y());
-                append_number(json += ',', point.x());
-                append_number(json += ',', point.y());
-                json += ']';
+                json.begin_list(kCompactJson);
+                for (const double pixel : panel.pixel(point)) {
+                    std::string number;
+                    append_pixels(number, pixel);
+                    json.raw(number);
+                }
+                for (const double x : point) json.value(x);
+                json.end();
             }
-            json += "]}";
+            json.end();
+            json.end();
         }
     }
-    return json + "]";
+    json.end();
+    return text;
 }
 
 std::string encode_plots(const std::string& title, const std::vector<Plot>& plots) {

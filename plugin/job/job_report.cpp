@@ -2,187 +2,221 @@
 
 #include <algorithm>
 
-#include "io/run_files/report.hpp"
+#include "io/bytes/json_writer.hpp"
 #include "plugin/job/job_start.hpp"
+#include "plugin/job/report_parts.hpp"
 #include "plugin/job/version.hpp"
 
 namespace pcvt {
 namespace {
 
-std::optional<Report::Pattern> report_pattern(const std::optional<PatternOutcome>& pattern) {
-    if (!pattern) return std::nullopt;
-    const auto& [lattice, stability] = *pattern;
-    return Report::Pattern{.basis = lattice.basis,
-                           .hermite = {lattice.form.a, lattice.form.b, lattice.form.d},
-                           .energy = lattice.energy,
-                           .minimum = minimum_name(stability.minimum),
-                           .smallest_eigenvalue = stability.smallest};
-}
-
-/// The shortest over all tiles of the run.
-std::optional<double> shortest_box_edge(const RunSummary& summary) {
-    std::optional<double> shortest;
+/// The largest of a figure over the tiles of the run that have it.
+template <class Better>
+std::optional<double> best_of_tiles(const RunSummary& summary,
+                                    std::optional<double> plane::TileFigures::*figure,
+                                    const Better& better) {
+    std::optional<double> best;
     for (const plane::TileFigures& tile : summary.tiles) {
-        if (!tile.box_shortest_edge) continue;
-        shortest = std::min(shortest.value_or(*tile.box_shortest_edge), *tile.box_shortest_edge);
+        if (tile.*figure) best = better(best.value_or(*(tile.*figure)), *(tile.*figure));
     }
-    return shortest;
+    return best;
 }
 
-std::optional<Report::Grains> report_grains(const RunSummary& summary) {
-    for (const plane::TileFigures& tile : summary.tiles) {
-        if (!tile.grains) continue;
-        Report::Grains grains{tile.grains->n_triangles, tile.grains->smallest_angle, {}};
-        for (const plane::SharpGrainCorner& corner : tile.grains->sharp_corners) {
-            grains.sharp_corners.push_back({corner.site, corner.point, corner.angle});
-        }
-        return grains;
-    }
-    return std::nullopt;
+void append_lattice(JsonWriter& json, const char* key, const plane::Lattice& lattice) {
+    json.member(key, std::array{lattice.a(), lattice.b()});
 }
 
-std::optional<Report::Density> report_density(const Job& job, const RunSummary& summary) {
-    if (!summary.density) return std::nullopt;
+void append_pattern(JsonWriter& json, const RunSummary& summary) {
+    if (!summary.start.pattern) return;
+    const auto& [lattice, stability] = *summary.start.pattern;
+    json.object("pattern", [&] {
+        append_lattice(json, "basis", lattice.basis);
+        json.member("hermite", std::array{lattice.form.a, lattice.form.b, lattice.form.d});
+        append_verdict(json, lattice.energy, stability);
+    });
+}
+
+void append_grains(JsonWriter& json, const RunSummary& summary) {
+    const auto tile = std::find_if(summary.tiles.begin(), summary.tiles.end(),
+                                   [](const auto& t) { return t.grains.has_value(); });
+    if (tile == summary.tiles.end()) return;
+    json.object("grains", [&] {
+        json.member("triangles", tile->grains->n_triangles);
+        json.member("smallest_angle", tile->grains->smallest_angle);
+        json.list("sharp_corners", tile->grains->sharp_corners,
+                  [&](const plane::SharpGrainCorner& corner) {
+                      json.begin_list();
+                      json.value(corner.site);
+                      for (const double x : corner.point) json.value(x);
+                      json.value(corner.angle);
+                      json.end();
+                  });
+    });
+}
+
+void append_density(JsonWriter& json, const Job& job, const RunSummary& summary) {
+    if (!summary.density) return;
     const plane::DensityFigures& figures = *summary.density;
-    return Report::Density{.name = job.density_name,
-                           .least = figures.least,
-                           .greatest = figures.greatest,
-                           .evaluations_per_site = figures.evaluations_per_site,
-                           .mass = figures.mass,
-                           .mass_deviation = figures.mass_deviation,
-                           .expected_energy = figures.expected_energy,
-                           .spacing_deviation = figures.spacing_deviation,
-                           .quadrature_error = figures.quadrature_error,
-                           .rough_cells = figures.n_rough_cells};
+    json.member("density", job.density_name);
+    json.member("density_least", figures.least);
+    json.member("density_greatest", figures.greatest);
+    json.member("density_evaluations", figures.evaluations_per_site);
+    json.member("mass", figures.mass);
+    json.member("mass_deviation", figures.mass_deviation);
+    json.member("expected_energy", figures.expected_energy);
+    json.member("spacing_deviation", figures.spacing_deviation);
+    json.member("quadrature_error", figures.quadrature_error);
+    json.member("rough_cells", figures.n_rough_cells);
 }
 
-/// The largest over all tiles of the run.
-std::optional<double> largest_area_error(const RunSummary& summary) {
-    std::optional<double> largest;
-    for (const plane::TileFigures& tile : summary.tiles) {
-        if (!tile.area_error) continue;
-        largest = std::max(largest.value_or(*tile.area_error), *tile.area_error);
-    }
-    return largest;
-}
-
-std::optional<Report::Areas> report_areas(const Job& job, const RunSummary& summary) {
-    if (!summary.areas) return std::nullopt;
+void append_areas(JsonWriter& json, const Job& job, const RunSummary& summary) {
+    if (!summary.areas) return;
     const AreaSummary& areas = *summary.areas;
-    return Report::Areas{.law = job.areas->name,
-                         .scale = areas.scale,
-                         .std_over_mean = areas.std_over_mean,
-                         .largest_relative_error = areas.newton.largest_relative_error,
-                         .largest_relative_mesh_error = largest_area_error(summary),
-                         .newton_steps = areas.newton.newton_steps,
-                         .circularity_mean = areas.circularity_mean,
-                         .circularity_std = areas.circularity_std};
+    const auto largest = [](double a, double b) { return std::max(a, b); };
+    json.object("areas", [&] {
+        json.member("law", job.areas->name);
+        if (areas.scale) json.member("scale", *areas.scale);
+        json.member("std_over_mean", areas.std_over_mean);
+        json.member("largest_relative_error", areas.newton.largest_relative_error);
+        json.member("largest_relative_mesh_error",
+                    best_of_tiles(summary, &plane::TileFigures::area_error, largest));
+        json.member("newton_steps", areas.newton.newton_steps);
+        json.member("circularity_mean", areas.circularity_mean);
+        json.member("circularity_std", areas.circularity_std);
+    });
 }
 
-std::optional<Report::Aspect> report_aspect(const Job& job) {
-    if (!job.aspect) return std::nullopt;
-    return Report::Aspect{.ratio = job.aspect->ratio, .degrees = job.aspect->degrees};
-}
-
-std::optional<Report::Symmetry> report_symmetry(const Job& job, const RunSummary& summary) {
-    if (!job.symmetry) return std::nullopt;
-    return Report::Symmetry{plane_group_row(*job.symmetry).word, summary.n_orbits};
-}
-
-std::optional<Report::Walls> report_walls(const Job& job, const RunSummary& summary) {
-    if (job.walls == Walls::kNone) return std::nullopt;
-    return Report::Walls{walls_row(job.walls).word, wall_cells_row(job.wall_cells).word,
-                         summary.n_on_walls};
-}
-
-std::optional<Report::Inclusions> report_inclusions(const Job& job, const RunSummary& summary) {
-    if (!summary.interfaces) return std::nullopt;
+void append_inclusions(JsonWriter& json, const Job& job, const RunSummary& summary) {
+    if (!summary.interfaces) return;
     const InterfaceFigures& figures = *summary.interfaces;
-    std::vector<std::array<double, 3>> fibres;
-    for (const plane::Inclusion& inclusion : figures.shapes) {
-        if (!figures.are_drawn) break;
-        const auto& [centre, radius] = std::get<plane::Circle>(inclusion.shape);
-        fibres.push_back({centre.x(), centre.y(), radius});
-    }
-    return Report::Inclusions{.source = figures.source,
-                              .shapes = static_cast<int>(figures.shapes.size()),
-                              .fibres = std::move(fibres),
-                              .chords = figures.n_chords,
-                              .fixed_sites = figures.n_fixed,
-                              .held_sites = figures.n_held,
-                              .holes = job.holes};
-}
-
-std::vector<Report::Phase> report_phases(const RunSummary& summary) {
-    std::vector<Report::Phase> phases;
-    for (const PhaseFigures& phase : summary.phases) {
-        phases.push_back({phase.name, phase.wanted, phase.reached, phase.n_cells});
-    }
-    return phases;
-}
-
-std::optional<Report::Orientations> report_orientations(const RunSummary& summary) {
-    if (!summary.angles) return std::nullopt;
-    const auto& [least, greatest] = *summary.angles;
-    return Report::Orientations{
-        {least.phi1, greatest.phi1}, {least.Phi, greatest.Phi}, {least.phi2, greatest.phi2}};
-}
-
-std::vector<Report::Material> report_materials(const RunSummary& summary) {
-    std::vector<Report::Material> materials;
-    for (const auto& [name, constants] : summary.constants) {
-        Report::Material& material = materials.emplace_back();
-        material.name = name;
-        for (std::size_t k = 0; k < constants.numbers.size(); ++k) {
-            material.constants.emplace_back(names_of(constants)[k], constants.numbers[k]);
+    json.object("inclusions", [&] {
+        json.member("source", figures.source);
+        json.member("shapes", figures.shapes.size());
+        if (figures.are_drawn && !figures.shapes.empty()) {
+            json.list("fibres", figures.shapes, [&](const plane::Inclusion& inclusion) {
+                const auto& [centre, radius] = std::get<plane::Circle>(inclusion.shape);
+                json.value(std::array{centre.x(), centre.y(), radius});
+            });
         }
+        json.member("chords", figures.n_chords);
+        json.member("fixed_sites", figures.n_fixed);
+        json.member("held_sites", figures.n_held);
+        if (!job.holes.empty()) json.member("holes", job.holes);
+    });
+}
+
+void append_phases(JsonWriter& json, const RunSummary& summary) {
+    if (summary.phases.empty()) return;
+    json.list("phases", summary.phases, [&](const PhaseFigures& phase) {
+        json.begin_object();
+        json.member("name", phase.name);
+        json.member("wanted", phase.wanted);
+        json.member("reached", phase.reached);
+        json.member("cells", phase.n_cells);
+        json.end();
+    });
+}
+
+void append_orientations(JsonWriter& json, const RunSummary& summary) {
+    if (!summary.angles) return;
+    const auto& [least, greatest] = *summary.angles;
+    json.object("orientations", [&] {
+        json.member("phi1", std::array{least.phi1, greatest.phi1});
+        json.member("Phi", std::array{least.Phi, greatest.Phi});
+        json.member("phi2", std::array{least.phi2, greatest.phi2});
+    });
+}
+
+void append_materials(JsonWriter& json, const RunSummary& summary) {
+    if (summary.constants.empty()) return;
+    json.list("materials", summary.constants, [&](const NamedConstants& material) {
+        json.begin_object();
+        json.member("name", material.name);
+        for (std::size_t k = 0; k < material.constants.numbers.size(); ++k) {
+            json.member(names_of(material.constants)[k], material.constants.numbers[k]);
+        }
+        json.end();
+    });
+}
+
+/// Appends the keys of every run.
+void append_run(JsonWriter& json, const Job& job, const RunSummary& summary) {
+    json.member("version", version());
+    json.member("sites", summary.n_sites);
+    append_lattice(json, "lattice", job.lattice);
+    json.member("seed", summary.seed);
+    json.member("solver", solver_row(job.solver).word);
+    json.member("start", start_name(job));
+    json.member("stop", stop_name(summary.run.stop));
+    json.member("iterations", summary.run.iterations);
+    json.member("evaluations", summary.run.evaluations);
+    json.member("hessians", summary.run.hessians);
+    json.member("cg_products", summary.run.cg_products);
+    json.member("energy", summary.run.energy);
+    json.member("energy_bound", summary.energy_bound);
+    json.member("residual", summary.run.residual);
+    append_minimum(json, summary.minimum);
+    json.member("hexagons", summary.n_hexagons);
+    append_counts(json, "valences", summary.valences);
+    json.member("mirrors", summary.n_mirrors);
+    json.member("threads", job.n_threads);
+    json.object("seconds", [&] {
+        json.member("build", summary.seconds.build);
+        json.member("optimize", summary.seconds.optimize);
+        json.member("write", summary.seconds.write);
+        json.member("total", summary.seconds.total);
+    });
+    json.member("files", summary.files);
+}
+
+/// Appends the keys of some runs.
+void append_choices(JsonWriter& json, const Job& job, const RunSummary& summary) {
+    const auto shortest = [](double a, double b) { return std::min(a, b); };
+    if (!summary.start.found.empty()) json.member("found", summary.start.found);
+    append_pattern(json, summary);
+    if (const std::optional<double> edge =
+            best_of_tiles(summary, &plane::TileFigures::box_shortest_edge, shortest)) {
+        json.member("box_shortest_edge", *edge);
     }
-    return materials;
+    append_grains(json, summary);
+    append_density(json, job, summary);
+    append_areas(json, job, summary);
+    if (job.aspect) {
+        json.object("aspect", [&] {
+            json.member("ratio", job.aspect->ratio);
+            json.member("degrees", job.aspect->degrees);
+        });
+    }
+    if (job.symmetry) {
+        json.object("symmetry", [&] {
+            json.member("group", plane_group_row(*job.symmetry).word);
+            json.member("orbits", summary.n_orbits);
+        });
+    }
+    append_inclusions(json, job, summary);
+    if (job.walls != Walls::kNone) {
+        json.object("walls", [&] {
+            json.member("sides", walls_row(job.walls).word);
+            json.member("cells", wall_cells_row(job.wall_cells).word);
+            json.member("sites", summary.n_on_walls);
+        });
+    }
+    append_phases(json, summary);
+    append_duplicates(json, job.duplicates, job.dropped);
+    append_orientations(json, summary);
+    append_materials(json, summary);
 }
 
 }  // namespace
 
 std::string encode_job_report(const Job& job, const RunSummary& summary) {
-    const JobSeconds& seconds = summary.seconds;
-    return encode_report({
-        .version = version(),
-        .sites = summary.n_sites,
-        .lattice = job.lattice,
-        .seed = summary.seed,
-        .solver = solver_row(job.solver).word,
-        .start = start_name(job),
-        .stop = stop_name(summary.run.stop),
-        .iterations = summary.run.iterations,
-        .evaluations = summary.run.evaluations,
-        .hessians = summary.run.hessians,
-        .cg_products = summary.run.cg_products,
-        .energy = summary.run.energy,
-        .energy_bound = summary.energy_bound,
-        .residual = summary.run.residual,
-        .minimum = summary.minimum ? std::optional<std::string>(minimum_name(*summary.minimum))
-                                   : std::nullopt,
-        .hexagons = summary.n_hexagons,
-        .valences = summary.valences,
-        .mirrors = summary.n_mirrors,
-        .threads = job.n_threads,
-        .seconds = {seconds.build, seconds.optimize, seconds.write, seconds.total},
-        .files = summary.files,
-        .found = summary.start.found,
-        .pattern = report_pattern(summary.start.pattern),
-        .box_shortest_edge = shortest_box_edge(summary),
-        .grains = report_grains(summary),
-        .density = report_density(job, summary),
-        .areas = report_areas(job, summary),
-        .aspect = report_aspect(job),
-        .symmetry = report_symmetry(job, summary),
-        .walls = report_walls(job, summary),
-        .inclusions = report_inclusions(job, summary),
-        .phases = report_phases(summary),
-        .duplicates =
-            job.duplicates == Duplicates::kDrop ? std::optional(job.dropped) : std::nullopt,
-        .orientations = report_orientations(summary),
-        .materials = report_materials(summary),
-    });
+    std::string text;
+    JsonWriter json(text);
+    json.begin_object(kJsonLines);
+    append_run(json, job, summary);
+    append_choices(json, job, summary);
+    json.end();
+    return text + '\n';
 }
 
 }  // namespace pcvt

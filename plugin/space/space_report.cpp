@@ -1,69 +1,69 @@
 #include "plugin/space/space_report.hpp"
 
-#include <algorithm>
-
-#include "io/run_files/report.hpp"
+#include "io/bytes/json_writer.hpp"
 #include "mesher/base/choices.hpp"
 #include "plugin/job/job.hpp"
+#include "plugin/job/report_parts.hpp"
 #include "plugin/job/version.hpp"
 
 namespace pcvt {
 namespace {
 
-std::array<double, 3> numbers(const space::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+const char* start_name(const SpaceJob& job) {
+    if (job.points.cols() > 0) return "file";
+    const SpaceStart start = chosen_start(job);
+    return find_row(kSpaceStarts, [=](const auto& row) { return row.start == start; })->word;
+}
 
-std::optional<SpaceReport::Pattern> report_pattern(
-    const std::optional<SpacePatternOutcome>& pattern) {
-    if (!pattern) return std::nullopt;
+void append_pattern(JsonWriter& json, const std::optional<SpacePatternOutcome>& pattern) {
+    if (!pattern) return;
     const auto& [lattice, stability] = *pattern;
-    const auto& [a, d, f, b, c, e] = lattice.form;
-    return SpaceReport::Pattern{
-        .basis = {numbers(lattice.basis.col(0)), numbers(lattice.basis.col(1)),
-                  numbers(lattice.basis.col(2))},
-        .hermite = {a, d, f, b, c, e},
-        .energy = lattice.energy,
-        .minimum = minimum_name(stability.minimum),
-        .smallest_eigenvalue = stability.smallest};
+    json.object("pattern", [&] {
+        json.list("basis", std::array{0, 1, 2}, [&](int k) { json.value(lattice.basis.col(k)); });
+        const auto& [a, d, f, b, c, e] = lattice.form;
+        json.member("hermite", std::array{a, d, f, b, c, e});
+        append_verdict(json, lattice.energy, stability);
+    });
 }
 
 }  // namespace
 
 std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary,
                                 double seconds_optimising, double seconds_writing) {
-    SpaceReport report;
-    report.version = version();
-    report.sites = summary.n_sites;
-    for (std::size_t k = 0; k < 3; ++k) {
-        report.lattice[k] = numbers(job.lattice.periods()[k]);
-    }
-    report.seed = job.seed;
-    report.solver = find_row(kSpaceSolvers, [&](const SpaceSolverRow& row) {
-                        return row.solver == job.solver;
-                    })->word;
-    report.start =
-        job.points.cols() > 0 ? "file" : find_row(kSpaceStarts, [&](const SpaceStartRow& row) {
-                                             return row.start == chosen_start(job);
-                                         })->word;
-    report.stop = stop_name(summary.run.stop);
-    report.iterations = summary.run.iterations;
-    report.evaluations = summary.run.evaluations;
-    report.energy = summary.run.energy;
-    report.energy_bound = summary.energy_bound;
-    report.residual = summary.run.residual;
-    report.rms_residual = summary.run.rms_residual;
-    if (summary.minimum) report.minimum = minimum_name(*summary.minimum);
-    report.faces = summary.face_counts;
-    report.removed_edges = summary.n_removed_edges;
-    report.volume = summary.proof.volume;
-    report.boundary_pairs = summary.proof.n_boundary_pairs;
-    report.translations = summary.proof.n_translations;
-    report.boundary_is_manifold = summary.proof.boundary_is_manifold;
-    report.threads = job.n_threads;
-    report.seconds = {seconds_optimising, seconds_writing, seconds_optimising + seconds_writing};
-    report.files = summary.files;
-    report.pattern = report_pattern(summary.pattern);
-    if (job.duplicates == Duplicates::kDrop) report.duplicates = job.dropped;
-    return encode_report(report);
+    std::string text;
+    JsonWriter json(text);
+    json.begin_object(kJsonLines);
+    json.member("version", version());
+    json.member("sites", summary.n_sites);
+    json.member("lattice", job.lattice.periods());
+    json.member("seed", job.seed);
+    json.member("solver", solver_row(job.solver).word);
+    json.member("start", start_name(job));
+    json.member("stop", stop_name(summary.run.stop));
+    json.member("iterations", summary.run.iterations);
+    json.member("evaluations", summary.run.evaluations);
+    json.member("energy", summary.run.energy);
+    json.member("energy_bound", summary.energy_bound);
+    json.member("residual", summary.run.residual);
+    json.member("rms_residual", summary.run.rms_residual);
+    append_minimum(json, summary.minimum);
+    append_counts(json, "faces", summary.face_counts);
+    json.member("removed_edges", summary.n_removed_edges);
+    json.member("volume", summary.proof.volume);
+    json.member("boundary_pairs", summary.proof.n_boundary_pairs);
+    json.member("translations", summary.proof.n_translations);
+    json.member("boundary_is_manifold", summary.proof.boundary_is_manifold);
+    json.member("threads", job.n_threads);
+    json.object("seconds", [&] {
+        json.member("optimize", seconds_optimising);
+        json.member("write", seconds_writing);
+        json.member("total", seconds_optimising + seconds_writing);
+    });
+    json.member("files", summary.files);
+    append_pattern(json, summary.pattern);
+    append_duplicates(json, job.duplicates, job.dropped);
+    json.end();
+    return text + '\n';
 }
 
 }  // namespace pcvt
