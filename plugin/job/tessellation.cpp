@@ -35,15 +35,15 @@ Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
                            const std::function<void()>& built) {
     plane::CvtOptions options;
     options.precondition_below = start.precondition_below;
-    options.solver = job.solver;
-    options.tolerance = job.tolerance;
-    options.max_iterations = job.max_iterations;
-    options.n_threads = job.n_threads;
+    options.run.solver = job.solver;
+    options.run.tolerance = job.tolerance;
+    options.run.max_iterations = job.max_iterations;
+    options.run.n_threads = job.n_threads;
     options.numbering = start.numbering;
     options.density = job.density;
     options.fixed.resize(static_cast<std::size_t>(job.fixed.cols()));
     std::iota(options.fixed.begin(), options.fixed.end(), 0);
-    options.progress = [&, first = true](const Progress& progress) mutable {
+    options.run.progress = [&, first = true](const Progress& progress) mutable {
         // The first call comes once the first triangulation is built and evaluated.
         if (std::exchange(first, false)) built();
         return monitor.iteration(progress);
