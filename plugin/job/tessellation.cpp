@@ -34,11 +34,8 @@ std::vector<int> counted_by_sites(std::vector<int> site_orbits) {
 Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
                            const std::function<void()>& built) {
     plane::CvtOptions options;
+    options.run = job.run;
     options.precondition_below = start.precondition_below;
-    options.run.solver = job.solver;
-    options.run.tolerance = job.tolerance;
-    options.run.max_iterations = job.max_iterations;
-    options.run.n_threads = job.n_threads;
     options.numbering = start.numbering;
     options.density = job.density;
     options.fixed.resize(static_cast<std::size_t>(job.fixed.cols()));
@@ -75,9 +72,9 @@ Tessellation compute_power_cells(const Job& job, JobStart& start, JobMonitor& mo
     plane::AreaCvtOptions options;
     options.areas = std::move(start.areas);
     options.numbering = start.numbering;
-    options.centroidal_steps = job.max_iterations;
-    options.tolerance = job.tolerance;
-    options.n_threads = job.n_threads;
+    options.centroidal_steps = job.run.max_iterations;
+    options.tolerance = job.run.tolerance;
+    options.n_threads = job.run.n_threads;
     options.progress = [&](const Progress& progress) { return monitor.iteration(progress); };
     options.newton_progress = [&, first = true](const plane::AreaFigures& areas) mutable {
         // The first call comes once the first triangulation is built and measured.

@@ -38,7 +38,7 @@ std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary
     }
     report.seed = job.seed;
     report.solver = find_row(kSpaceSolvers, [&](const SpaceSolverRow& row) {
-                        return row.solver == job.solver;
+                        return row.solver == job.run.solver;
                     })->word;
     report.start =
         job.points.cols() > 0 ? "file" : find_row(kSpaceStarts, [&](const SpaceStartRow& row) {
@@ -58,7 +58,7 @@ std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary
     report.boundary_pairs = summary.proof.n_boundary_pairs;
     report.translations = summary.proof.n_translations;
     report.boundary_is_manifold = summary.proof.boundary_is_manifold;
-    report.threads = job.n_threads;
+    report.threads = job.run.n_threads;
     report.seconds = {seconds_optimising, seconds_writing, seconds_optimising + seconds_writing};
     report.files = summary.files;
     report.pattern = report_pattern(summary.pattern);
