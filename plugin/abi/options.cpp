@@ -80,7 +80,7 @@ int budget(const pcvt_options& options) {
 }
 
 Solver solver(std::int32_t value) {
-    if (value == PCVT_SOLVER_DEFAULT) return Job().solver;
+    if (value == PCVT_SOLVER_DEFAULT) return Job().run.solver;
     return chosen_row("solver", value, kSolvers).solver;
 }
 
@@ -309,10 +309,10 @@ Job make_job(const pcvt_options& options) {
     job.start = start(options);
     job.budget = budget(options);
     read_grains(options, job);
-    job.solver = solver(options.solver);
-    job.tolerance = options.tolerance;
-    job.max_iterations = options.max_iterations;
-    job.n_threads = thread_count(options.n_threads);
+    job.run.solver = solver(options.solver);
+    job.run.tolerance = options.tolerance;
+    job.run.max_iterations = options.max_iterations;
+    job.run.n_threads = thread_count(options.n_threads);
     job.columns = options.columns;
     job.rows = options.rows;
     job.origin = {options.origin[0], options.origin[1]};

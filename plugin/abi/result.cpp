@@ -201,7 +201,7 @@ pcvt_statistics Result::statistics() const {
             .n_sites = static_cast<std::int32_t>(sites_.cols()),
             .iterations = cells.run.iterations,
             .evaluations = cells.run.evaluations,
-            .n_threads = job_.n_threads,
+            .n_threads = job_.run.n_threads,
             .n_mirrors = cells.counts.n_mirrors.value_or(-1),
             .area_error = cells.areas ? cells.areas->largest_relative_error
                                       : std::numeric_limits<double>::quiet_NaN(),

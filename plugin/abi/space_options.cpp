@@ -134,13 +134,13 @@ SpaceJob make_space_job(const pcvt_options& options) {
     }
     job.seed = options.seed;
     if (options.solver != PCVT_SOLVER_DEFAULT) {
-        job.solver = space_row("solver", options.solver, kSpaceSolvers,
-                               "PCVT_SOLVER_DEFAULT, PCVT_SOLVER_LBFGS or PCVT_SOLVER_LLOYD")
-                         .solver;
+        job.run.solver = space_row("solver", options.solver, kSpaceSolvers,
+                                   "PCVT_SOLVER_DEFAULT, PCVT_SOLVER_LBFGS or PCVT_SOLVER_LLOYD")
+                             .solver;
     }
-    job.tolerance = options.tolerance;
-    job.max_iterations = options.max_iterations;
-    job.n_threads = thread_count(options.n_threads);
+    job.run.tolerance = options.tolerance;
+    job.run.max_iterations = options.max_iterations;
+    job.run.n_threads = thread_count(options.n_threads);
     job.points = space_sites(options);
     job.duplicates = duplicates(options);
     require_finite("short_edges", &options.short_edges, 1);

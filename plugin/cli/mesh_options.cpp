@@ -68,7 +68,7 @@ std::string solver_help() {
     for (const SolverRow& row : kSolvers) {
         if (*row.help != '\0') text += (text.empty() ? "" : "; ") + std::string(row.help);
     }
-    return text + " [" + solver_row(Job().solver).word + "]";
+    return text + " [" + solver_row(Job().run.solver).word + "]";
 }
 
 /// The words of the plane groups on two lines.
@@ -212,7 +212,7 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
         job.start = chosen_row("--start", options.start, start_rows()).start;
     }
     if (app.count("--solver") > 0) {
-        job.solver = chosen_row("--solver", options.solver, kSolvers).solver;
+        job.run.solver = chosen_row("--solver", options.solver, kSolvers).solver;
     }
     if (app.count("--outline") > 0) {
         job.outline = chosen_row("--outline", options.outline, kOutlines).outline;
@@ -239,10 +239,10 @@ void read_grains(const CLI::App& app, const MeshOptions& options, Job& job) {
 
 void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--tolerance") > 0) {
-        job.tolerance = positive_number("--tolerance", options.tolerance);
+        job.run.tolerance = positive_number("--tolerance", options.tolerance);
     }
     if (app.count("--max-iterations") > 0) {
-        job.max_iterations =
+        job.run.max_iterations =
             whole_number("--max-iterations", options.max_iterations, 0, kMostIterations);
     }
     if (app.count("--budget") > 0) {
@@ -251,9 +251,9 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
         }
         job.budget = whole_number("--budget", options.budget, 1, kLargestBudget);
     }
-    job.n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    job.run.n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     if (app.count("--threads") > 0) {
-        job.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
+        job.run.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
     }
     if (app.count("--origin") > 0) {
         job.finds_origin = options.origin == "auto";

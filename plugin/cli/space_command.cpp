@@ -75,18 +75,18 @@ void read_sites_options(const CLI::App& app, const MeshOptions& options, SpaceJo
 
 void read_solver_options(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
     if (app.count("--solver") > 0) {
-        job.solver = space_row("--solver", options.solver, kSpaceSolvers).solver;
+        job.run.solver = space_row("--solver", options.solver, kSpaceSolvers).solver;
     }
     if (app.count("--tolerance") > 0) {
-        job.tolerance = positive_number("--tolerance", options.tolerance);
+        job.run.tolerance = positive_number("--tolerance", options.tolerance);
     }
     if (app.count("--max-iterations") > 0) {
-        job.max_iterations =
+        job.run.max_iterations =
             whole_number("--max-iterations", options.max_iterations, 0, kMostIterations);
     }
-    job.n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    job.run.n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     if (app.count("--threads") > 0) {
-        job.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
+        job.run.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
     }
 }
 
@@ -97,7 +97,7 @@ constexpr int kFewestAnnouncedInSpace = 200'000;
 SpaceSummary run_watched(const SpaceJob& job, bool quiet) {
     const std::optional<double> available = available_memory();
     const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
-    ProgressDisplay display(space::body_centred_energy(job.lattice.volume(), n), job.tolerance,
+    ProgressDisplay display(space::body_centred_energy(job.lattice.volume(), n), job.run.tolerance,
                             !quiet);
     catch_cancel_signals();
     // The first progress follows the checks of the job, so that a refusal is one line.
@@ -277,7 +277,7 @@ ExitCode run_space_mesh(SpaceJob job, const MeshOptions& options) {
         return report_refused(summary.refused, summary.files.size() + (job.report.empty() ? 0 : 1));
     }
     if (options.strict && summary.run.stop != Stop::kConverged) {
-        return report_not_converged(summary.run, job.tolerance);
+        return report_not_converged(summary.run, job.run.tolerance);
     }
     return ExitCode::kDone;
 }

@@ -15,7 +15,7 @@
 #include "mesher/cells/material_choices.hpp"
 #include "mesher/cells/orientations.hpp"
 #include "mesher/cells/target_areas.hpp"
-#include "mesher/cvt/solvers.hpp"
+#include "mesher/cvt/run_options.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/search/lattice_stability.hpp"
 #include "mesher/plane/symmetry/plane_group.hpp"
@@ -73,13 +73,9 @@ struct Job {
     /// most so often. For drawn sites and outputs that can refuse.
     int retries = 0;
 
-    Solver solver = Solver::kLbfgs;
-    double tolerance = 1e-6;
-    /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given. With `areas`,
-    /// the number of steps that move each site to the centroid of its cell.
-    int max_iterations = -1;
-    /// At least 1; the result does not depend on it.
-    int n_threads = 1;
+    /// With `areas`, max_iterations is the number of steps that move each site to the centroid of
+    /// its cell. run_job() sets progress.
+    RunOptions run;
     /// Whether the summary answers if the result is a minimum, which costs up to three times the
     /// optimisation: minimum_of(). For at most kMostSitesForStability sites without a density.
     bool stability = false;

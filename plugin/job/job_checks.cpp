@@ -118,7 +118,7 @@ void check_areas(const Job& job) {
         throw InvalidInput(
             "the cells of a lattice are all alike; leave the start out, or take coarse or random");
     }
-    if (job.solver != Job().solver) {
+    if (job.run.solver != Job().run.solver) {
         throw InvalidInput("prescribed areas have a solver of their own; leave the solver out");
     }
     if (job.stability) {
@@ -195,7 +195,7 @@ void check_walls(const Job& job) {
             "walls lie at 0 and at the period; give an origin along the walls only, or none");
     }
     const bool is_half = job.wall_cells == WallCells::kHalf;
-    if (is_half && job.max_iterations == 0) {
+    if (is_half && job.run.max_iterations == 0) {
         throw InvalidInput(
             "the sites beside walls move onto them step by step; allow iterations, or take whole "
             "cells");
@@ -238,7 +238,7 @@ void check_job(const Job& job) {
     check_symmetry(job);
     check_walls(job);
     check_constraints(job);
-    if (job.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
+    if (job.run.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
     if (!(job.short_edges >= 0 && job.short_edges <= kLongestShortEdge)) {
         throw InvalidInput("the length under which edges are removed is not between 0 and 0.5 h");
     }

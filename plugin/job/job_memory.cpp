@@ -137,7 +137,7 @@ double file_bytes(const Job& job, const JobFile& file) {
 
 /// The sites, from their start to the end of their optimisation.
 double site_bytes(const Job& job) {
-    const bool is_fixed = job.max_iterations == 0;
+    const bool is_fixed = job.run.max_iterations == 0;
     const double moving = job.areas ? (is_fixed ? kFittingAreas : kMovingWithAreas)
                                     : (is_fixed ? kTriangulating : kOptimising);
     return n_sites(job) * (moving + (job.density ? kWithDensity : 0));
@@ -150,7 +150,7 @@ double tile_bytes(const Job& job, const std::vector<JobFile>& files) {
     for (const JobFile& file : files) writing.push_back(file_bytes(job, file));
     std::sort(writing.begin(), writing.end(), std::greater<>());
     const std::size_t n_at_once =
-        std::min(writing.size(), static_cast<std::size_t>(std::max(1, job.n_threads)));
+        std::min(writing.size(), static_cast<std::size_t>(std::max(1, job.run.n_threads)));
     double meshes = 0;
     for (std::size_t k = 0; k < n_at_once; ++k)
         meshes += (k == 0 ? 1 : kBesideAnother) * writing[k];
@@ -181,7 +181,7 @@ void require_available(const std::string& what, double estimate, const char* rem
 
 double estimated_memory(const Job& job, const std::vector<JobFile>& files) {
     const double from_file = job.points.cols() > 0 ? kFromFile * n_sites(job) : 0;
-    return kCommandBytes + kThreadBytes * job.n_threads + from_file +
+    return kCommandBytes + kThreadBytes * job.run.n_threads + from_file +
            std::max(site_bytes(job), tile_bytes(job, files));
 }
 

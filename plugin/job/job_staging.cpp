@@ -60,8 +60,8 @@ class FileEncoder {
                                       .metric = result_.cells.elongation
                                                     ? result_.cells.elongation->metric
                                                     : plane::Metric()};
-        return write(voxel_image(result_.cells.delaunay, cells.metric, grid, job_.n_threads), cells,
-                     materials(), job_.file_options.elastic, path());
+        return write(voxel_image(result_.cells.delaunay, cells.metric, grid, job_.run.n_threads),
+                     cells, materials(), job_.file_options.elastic, path());
     }
 
     CellRows cell_rows() const {
@@ -200,7 +200,7 @@ std::vector<std::string> stage_files(const Job& job, const std::vector<JobFile>&
     FileProgress progress(files, monitor);
     std::vector<std::exception_ptr> faults(files.size());
     std::vector<std::string> refused(files.size());
-    Workers workers(std::min(job.n_threads, static_cast<int>(files.size())));
+    Workers workers(std::min(job.run.n_threads, static_cast<int>(files.size())));
     workers.for_each(static_cast<int>(files.size()), [&](int k) {
         try {
             progress.begin(static_cast<std::size_t>(k));

@@ -35,7 +35,7 @@ JobStart random_start(const Job& job, const ProgressCallback& /*callback*/) {
 
 JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
     const plane::CoarseStartOptions options{.seed = job.seed,
-                                            .n_threads = job.n_threads,
+                                            .n_threads = job.run.n_threads,
                                             .density = job.density,
                                             .walls = job.walls,
                                             .progress = callback};
@@ -64,7 +64,7 @@ JobStart best_start(const Job& job, const ProgressCallback& callback) {
     const int budget = job.budget > 0 ? job.budget : plane::default_search_budget(job.n_sites);
     plane::SearchResult result = search_minimum(
         job.lattice, job.n_sites,
-        {.seed = job.seed, .budget = budget, .n_threads = job.n_threads, .progress = callback});
+        {.seed = job.seed, .budget = budget, .n_threads = job.run.n_threads, .progress = callback});
     JobStart start;
     start.points = std::move(result.points);
     start.figures.pattern = PatternOutcome{result.lattice, lattice_stability(result.lattice)};
@@ -138,7 +138,7 @@ Start chosen_start(const Job& job) {
     // higher.
     const int order = job.symmetry ? plane::PlaneGroup(*job.symmetry, job.lattice).order() : 1;
     const bool many = job.n_sites / order >= kFewestForCoarse;
-    const bool coarse = many && job.max_iterations != 0 && alike;
+    const bool coarse = many && job.run.max_iterations != 0 && alike;
     return coarse ? Start::kCoarse : Start::kRandom;
 }
 

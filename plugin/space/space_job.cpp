@@ -36,8 +36,8 @@ double seconds_since(Clock::time_point begin) {
 
 JobMonitor::Target target_of(const SpaceJob& job) {
     JobMonitor::Target target;
-    target.tolerance = job.tolerance;
-    target.max_iterations = job.max_iterations;
+    target.tolerance = job.run.tolerance;
+    target.max_iterations = job.run.max_iterations;
     return target;
 }
 
@@ -50,9 +50,9 @@ Eigen::Matrix3d period_matrix(const space::Lattice& lattice) {
 space::Points coarse_points(const SpaceJob& job, JobMonitor& monitor) {
     space::Points points = space::coarse_start(
         job.lattice, job.n_sites,
-        {.seed = job.seed, .n_threads = job.n_threads, .progress = [&](const Progress& progress) {
-             return monitor.start_iteration(progress);
-         }});
+        {.seed = job.seed,
+         .n_threads = job.run.n_threads,
+         .progress = [&](const Progress& progress) { return monitor.start_iteration(progress); }});
     if (points.cols() == 0) throw Cancelled{};
     return points;
 }
@@ -96,13 +96,9 @@ space::Points start_points(const SpaceJob& job, const std::optional<SpacePattern
 }
 
 space::CvtResult optimise(const SpaceJob& job, const space::Points& points, JobMonitor& monitor) {
-    space::CvtResult result = space::compute_cvt(
-        job.lattice, points,
-        {.solver = job.solver,
-         .tolerance = job.tolerance,
-         .max_iterations = job.max_iterations,
-         .n_threads = job.n_threads,
-         .progress = [&](const Progress& progress) { return monitor.iteration(progress); }});
+    space::CvtOptions options{job.run};
+    options.run.progress = [&](const Progress& progress) { return monitor.iteration(progress); };
+    space::CvtResult result = space::compute_cvt(job.lattice, points, options);
     if (result.run.stop == Stop::kCancelled) throw Cancelled{};
     return result;
 }
@@ -258,7 +254,7 @@ void settle_duplicates(SpaceJob& job) {
 }
 
 SpaceStart chosen_start(const SpaceJob& job) {
-    const bool coarse = job.n_sites >= kFewestForCoarse && job.max_iterations != 0;
+    const bool coarse = job.n_sites >= kFewestForCoarse && job.run.max_iterations != 0;
     return job.start.value_or(coarse ? SpaceStart::kCoarse : SpaceStart::kRandom);
 }
 

@@ -10,7 +10,7 @@
 
 #include "io/bytes/output_error.hpp"
 #include "io/space_formats.hpp"
-#include "mesher/cvt/solvers.hpp"
+#include "mesher/cvt/run_options.hpp"
 #include "mesher/space/cvt/cvt.hpp"
 #include "mesher/space/cvt/minimum.hpp"
 #include "mesher/space/mesh/short_edges.hpp"
@@ -65,12 +65,8 @@ struct SpaceJob {
     /// None: pcvt chooses.
     std::optional<SpaceStart> start = {};
     std::uint64_t seed = 0;
-    Solver solver = Solver::kLbfgs;
-    double tolerance = 1e-6;
-    /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given.
-    int max_iterations = -1;
-    /// At least 1; the result does not depend on it.
-    int n_threads = 1;
+    /// run_space_job() sets progress.
+    RunOptions run;
     /// Files to write. The extension selects the format (io/space_formats.hpp).
     std::vector<std::string> outputs;
     SpaceFileOptions file_options = {};

@@ -37,7 +37,7 @@ std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary
     json.member("sites", summary.n_sites);
     json.member("lattice", job.lattice.periods());
     json.member("seed", job.seed);
-    json.member("solver", solver_row(job.solver).word);
+    json.member("solver", solver_row(job.run.solver).word);
     json.member("start", start_name(job));
     json.member("stop", stop_name(summary.run.stop));
     json.member("iterations", summary.run.iterations);
@@ -53,7 +53,7 @@ std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary
     json.member("boundary_pairs", summary.proof.n_boundary_pairs);
     json.member("translations", summary.proof.n_translations);
     json.member("boundary_is_manifold", summary.proof.boundary_is_manifold);
-    json.member("threads", job.n_threads);
+    json.member("threads", job.run.n_threads);
     json.object("seconds", [&] {
         json.member("optimize", seconds_optimising);
         json.member("write", seconds_writing);

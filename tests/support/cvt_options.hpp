@@ -13,7 +13,7 @@ inline constexpr std::array kAllWalls{Walls::kX, Walls::kY, Walls::kXY};
 /// The usual options with another tolerance.
 inline plane::CvtOptions to_tolerance(double tolerance) {
     plane::CvtOptions options;
-    options.tolerance = tolerance;
+    options.run.tolerance = tolerance;
     return options;
 }
 

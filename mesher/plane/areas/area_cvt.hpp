@@ -24,7 +24,7 @@ struct AreaCvtOptions {
     /// 0: the sites stay. k: k times each site moves to the centroid of its cell, and the weights
     /// follow. Negative: the sites move until each is the centroid of its cell.
     int centroidal_steps = 0;
-    /// As CvtOptions::tolerance; a limited number of steps does not end before.
+    /// As RunOptions::tolerance; a limited number of steps does not end before.
     double tolerance = 1e-6;
     /// At least 1. The result does not depend on it.
     int n_threads = 1;

@@ -39,14 +39,14 @@ bool run_coarse_levels(const LevelSizes& sizes, const CoarseStartOptions& option
     bool cancelled = false;
     CvtOptions of_level;
     // Where the density is not smooth, an RMS residual of 1e-4 may be out of reach.
-    of_level.tolerance = options.density ? kRmsTolerance : 0;
-    of_level.n_threads = options.n_threads;
+    of_level.run.tolerance = options.density ? kRmsTolerance : 0;
+    of_level.run.n_threads = options.n_threads;
     of_level.precondition_below = kPreconditionBelow;
     of_level.density = options.density;
     for (; orbits.size() > 1 && !cancelled; orbits.pop_back()) {
         const int n_finer = orbits[orbits.size() - 2];
         const double share = sizes.n_sites(orbits.back()) / sizes.n_sites(sizes.n_orbits);
-        of_level.progress = [&](Progress progress) {
+        of_level.run.progress = [&](Progress progress) {
             progress.value *= share;
             progress.share = done.at(progress.rms_residual);
             cancelled = options.progress && !options.progress(progress);

@@ -117,9 +117,9 @@ Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& opt
         const double length = portable_cbrt(double(sites.back()) / n);
         const double scale = length * length;
         CvtOptions level;
-        level.tolerance = 0;
-        level.n_threads = options.n_threads;
-        level.progress = [&](Progress progress) {
+        level.run.tolerance = 0;
+        level.run.n_threads = options.n_threads;
+        level.run.progress = [&](Progress progress) {
             progress.value *= scale;
             progress.share = done.at(progress.rms_residual);
             cancelled = options.progress && !options.progress(progress);

@@ -61,7 +61,7 @@ Job some_job(std::uint64_t seed) {
     job.seed = seed;
     job.lattice = testing::random_lattice(random);
     job.n_sites = 1 + below(random, below(random, 3) == 0 ? 8 : 60);
-    job.max_iterations = std::array{0, 1, 4}[below(random, 3)];
+    job.run.max_iterations = std::array{0, 1, 4}[below(random, 3)];
     if (below(random, 3) == 0) job.points = some_sites(random, job.lattice, job.n_sites);
     const int kind = below(random, 3);
     if (kind != 0) job.areas = some_areas(random, job.n_sites);
@@ -160,7 +160,7 @@ TEST(JobAreas, EdgesBendAtCornersOfTheBoxOnly) {
     job.lattice = plane::Lattice({0.32141887474073716, 1.4764704141323493},
                                  {-0.81384407912267953, -4.2811419902297212});
     job.n_sites = 28;
-    job.max_iterations = 4;
+    job.run.max_iterations = 4;
     job.aspect = Aspect{.ratio = 3.0534802623573647, .degrees = 171.91731786629538};
     job.columns = job.rows = 2;
     job.origin = {0.05031412278732561, 0.035091504123978545};
@@ -186,7 +186,7 @@ TEST(JobAreas, CellsHaveTheAreasExactly) {
         EXPECT_TRUE(computed->cells.areas->converged);
         const RunStatistics& run = computed->cells.run;
         EXPECT_EQ(run.stop,
-                  run.residual <= job.tolerance ? Stop::kConverged : Stop::kIterationLimit);
+                  run.residual <= job.run.tolerance ? Stop::kConverged : Stop::kIterationLimit);
         const CellTable table = cell_table(plane_mesh(computed->cells, plane::MeshKind::kVoronoi));
         const Eigen::VectorXd targets = wished(job);
         const double tolerance = std::max(1e-10, computed->cells.areas->rounding);
@@ -250,7 +250,7 @@ TEST(JobAreas, SitesOfAFileKeepTheirNumbersAndPlaces) {
     job.points = uniform_points(job.lattice, 50, 3);
     job.areas = WishedAreas{.given = Eigen::VectorXd::LinSpaced(50, 1, 3), .name = "areas.txt"};
     job.aspect = Aspect{.ratio = 2, .degrees = 30};
-    job.max_iterations = 0;
+    job.run.max_iterations = 0;
     const Computation computed = compute_job(job, {}).value();
     const plane::Points sites = wrapped_sites(computed.cells, job.origin);
     const plane::Domain domain(job.lattice, job.origin);
@@ -267,7 +267,7 @@ TEST(JobAreas, SortedAreasOfAFileLieAtRandom) {
     Job job;
     job.n_sites = 400;
     job.areas = WishedAreas{.given = Eigen::VectorXd::LinSpaced(400, 1, 9), .name = "areas.txt"};
-    job.max_iterations = 0;
+    job.run.max_iterations = 0;
     const plane::Points sites = wrapped_sites(compute_job(job, {}).value().cells, job.origin);
     // The correlation of x with the number of the site.
     double sum = 0;
@@ -299,8 +299,8 @@ TEST(JobAreas, ProgressNamesTheStepsAndRises) {
         Job job;
         job.n_sites = 200;
         job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
-        job.max_iterations = steps;
-        job.tolerance = 1e-3;
+        job.run.max_iterations = steps;
+        job.run.tolerance = 1e-3;
         std::string words;
         double fraction = 0;
         compute_job(job, [&](const JobProgress& progress) {
@@ -325,7 +325,7 @@ TEST(JobAreas, AnyCallOfTheCallbackCancels) {
     Job job;
     job.n_sites = 100;
     job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
-    job.max_iterations = 2;
+    job.run.max_iterations = 2;
     for (int last = 0; last < 12; ++last) {
         int n_calls = 0;
         EXPECT_FALSE(compute_job(job, [&](const JobProgress&) { return n_calls++ < last; }));
@@ -340,7 +340,7 @@ TEST(JobAreas, SitesOfTheReportsAreThoseOfTheFiles) {
     job.lattice = plane::Lattice({1, 0}, {0.4, 0.9});
     job.aspect = Aspect{.ratio = 3, .degrees = 110};
     job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
-    job.max_iterations = 1;
+    job.run.max_iterations = 1;
     job.origin = {3, -2};
     job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kGrains};
     job.outputs = {folder / "t.svg", folder / "t.txt", folder / "t.csv"};

@@ -18,7 +18,7 @@ MpasGrid written_grid(const std::optional<plane::Density>& density, int columns)
     job.lattice = period;
     job.points = pattern_points(best_lattice(period, 48));
     job.points.colwise() += plane::Vec2(0.01, 0.02);
-    job.max_iterations = 0;
+    job.run.max_iterations = 0;
     job.density = density;
     job.columns = columns;
     job.origin = {5, -3};

@@ -91,13 +91,13 @@ Job job_with(const Features& features) {
     job.lattice = plane::Lattice::rectangle(1.25, 1);
     job.n_sites = kNumberedSites;
     job.seed = 5;
-    job.max_iterations = 2;
+    job.run.max_iterations = 2;
     job.walls = features.walls;
     job.wall_cells = features.wall_cells;
     if (features.are_given) {
         job.points = scattered_sites(job.lattice);
         // The sites beside walls move onto them.
-        if (features.wall_cells == WallCells::kWhole) job.max_iterations = 0;
+        if (features.wall_cells == WallCells::kWhole) job.run.max_iterations = 0;
     }
     if (features.has_inclusions) {
         job.inclusions =
@@ -210,7 +210,7 @@ void expect_one_numbering(Job job, const std::vector<std::string>& extensions) {
     std::vector<plane::Vec2> of_rows;
     for (const Row& row : rows) of_rows.push_back(row.site);
     expect_same_sites(of_rows, sites, job, "table");
-    if (job.points.cols() > 0 && job.max_iterations == 0) {
+    if (job.points.cols() > 0 && job.run.max_iterations == 0) {
         expect_same_sites(sites, list_of(job.points), job, "input");
     }
     for (const std::string& extension : extensions) {

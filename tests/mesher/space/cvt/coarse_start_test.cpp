@@ -34,7 +34,7 @@ TEST(SpaceCoarseStart, WithFewSitesIsRandom) {
 TEST(SpaceCoarseStart, LeadsToLowerMinimaSlow) {
     for (const Lattice& lattice : {kCube, kOblique}) {
         const auto energy = [&](const Points& start) {
-            const auto result = compute_cvt(lattice, start, {.tolerance = 1e-3});
+            const auto result = compute_cvt(lattice, start, {{.tolerance = 1e-3}});
             return result.run.energy / body_centred_energy(lattice.volume(), 1500);
         };
         double random = 0;
