@@ -4,8 +4,6 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
-#include <array>
-#include <string_view>
 #include <thread>
 
 #include "io/run_files/site_reader.hpp"
@@ -17,18 +15,12 @@
 #include "plugin/cli/terminal/console.hpp"
 #include "plugin/cli/terminal/progress_display.hpp"
 #include "plugin/job/available_memory.hpp"
+#include "plugin/job/features.hpp"
 #include "plugin/job/job_memory.hpp"
 #include "plugin/space/space_memory.hpp"
 
 namespace pcvt::cli {
 namespace {
-
-/// The options of `pcvt mesh` that apply in space.
-constexpr std::array<std::string_view, 22> kOptions{
-    "--help",      "--sites",          "--seed",        "--input",     "--period",  "--lattice",
-    "--start",     "--solver",         "--strict",      "--threads",   "-o",        "--force",
-    "--tolerance", "--max-iterations", "--quiet",       "-h",          "--surface", "--report",
-    "--mesh",      "--stability",      "--short-edges", "--duplicates"};
 
 template <class Table>
 const auto& space_row(const char* option, const std::string& word, const Table& table) {
@@ -44,10 +36,8 @@ std::ptrdiff_t count_commas(const std::string& text) {
 void refuse_foreign_options(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options()) {
         const std::string name = option->get_name();
-        if (option->count() == 0 ||
-            std::find(kOptions.begin(), kOptions.end(), name) != kOptions.end()) {
-            continue;
-        }
+        const FeatureRow* const feature = find_option(name);
+        if (option->count() == 0 || feature == nullptr || feature->in_space) continue;
         throw InvalidInput(name +
                            " is not for three dimensions; leave it out, or give two period "
                            "vectors");

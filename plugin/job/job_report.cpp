@@ -145,7 +145,7 @@ void append_run(JsonWriter& json, const Job& job, const RunSummary& summary) {
     json.member("sites", summary.n_sites);
     append_lattice(json, "lattice", job.lattice);
     json.member("seed", summary.seed);
-    json.member("solver", solver_row(job.solver).word);
+    json.member("solver", solver_row(job.run.solver).word);
     json.member("start", start_name(job));
     json.member("stop", stop_name(summary.run.stop));
     json.member("iterations", summary.run.iterations);
@@ -159,7 +159,7 @@ void append_run(JsonWriter& json, const Job& job, const RunSummary& summary) {
     json.member("hexagons", summary.n_hexagons);
     append_counts(json, "valences", summary.valences);
     json.member("mirrors", summary.n_mirrors);
-    json.member("threads", job.n_threads);
+    json.member("threads", job.run.n_threads);
     json.object("seconds", [&] {
         json.member("build", summary.seconds.build);
         json.member("optimize", summary.seconds.optimize);
@@ -210,7 +210,6 @@ void append_choices(JsonWriter& json, const Job& job, const RunSummary& summary)
 }  // namespace
 
 std::string encode_job_report(const Job& job, const RunSummary& summary) {
-<<<<<<< HEAD
     std::string text;
     JsonWriter json(text);
     json.begin_object(kJsonLines);
@@ -218,48 +217,6 @@ std::string encode_job_report(const Job& job, const RunSummary& summary) {
     append_choices(json, job, summary);
     json.end();
     return text + '\n';
-=======
-    const JobSeconds& seconds = summary.seconds;
-    return encode_report({
-        .version = version(),
-        .sites = summary.n_sites,
-        .lattice = job.lattice,
-        .seed = summary.seed,
-        .solver = solver_row(job.run.solver).word,
-        .start = start_name(job),
-        .stop = stop_name(summary.run.stop),
-        .iterations = summary.run.iterations,
-        .evaluations = summary.run.evaluations,
-        .hessians = summary.run.hessians,
-        .cg_products = summary.run.cg_products,
-        .energy = summary.run.energy,
-        .energy_bound = summary.energy_bound,
-        .residual = summary.run.residual,
-        .minimum = summary.minimum ? std::optional<std::string>(minimum_name(*summary.minimum))
-                                   : std::nullopt,
-        .hexagons = summary.n_hexagons,
-        .valences = summary.valences,
-        .mirrors = summary.n_mirrors,
-        .threads = job.run.n_threads,
-        .seconds = {seconds.build, seconds.optimize, seconds.write, seconds.total},
-        .files = summary.files,
-        .found = summary.start.found,
-        .pattern = report_pattern(summary.start.pattern),
-        .box_shortest_edge = shortest_box_edge(summary),
-        .grains = report_grains(summary),
-        .density = report_density(job, summary),
-        .areas = report_areas(job, summary),
-        .aspect = report_aspect(job),
-        .symmetry = report_symmetry(job, summary),
-        .walls = report_walls(job, summary),
-        .inclusions = report_inclusions(job, summary),
-        .phases = report_phases(summary),
-        .duplicates =
-            job.duplicates == Duplicates::kDrop ? std::optional(job.dropped) : std::nullopt,
-        .orientations = report_orientations(summary),
-        .materials = report_materials(summary),
-    });
->>>>>>> acd50b1
 }
 
 }  // namespace pcvt
