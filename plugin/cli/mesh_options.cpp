@@ -215,7 +215,7 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
         job.run.solver = chosen_row("--solver", options.solver, kSolvers).solver;
     }
     if (app.count("--outline") > 0) {
-        job.outline = chosen_row("--outline", options.outline, kOutlines).outline;
+        job.tile.outline = chosen_row("--outline", options.outline, kOutlines).outline;
     }
 }
 
@@ -227,14 +227,14 @@ void read_grains(const CLI::App& app, const MeshOptions& options, Job& job) {
     require_mesh("--size", &plane::MeshKindRow::grain_size);
     require_mesh("--per-edge", &plane::MeshKindRow::grain_size);
     require_mesh("--order", &plane::MeshKindRow::order_2);
-    if (app.count("--size") > 0) job.grain_size = positive_number("--size", options.size);
+    if (app.count("--size") > 0) job.tile.grain_size = positive_number("--size", options.size);
     if (app.count("--per-edge") > 0) {
-        job.grain_per_edge = whole_number("--per-edge", options.per_edge, 1, kMostPerEdge);
-        if (job.grain_size > 0) {
+        job.tile.grain_per_edge = whole_number("--per-edge", options.per_edge, 1, kMostPerEdge);
+        if (job.tile.grain_size > 0) {
             throw InvalidInput("--per-edge replaces --size; leave one of them out");
         }
     }
-    if (app.count("--order") > 0) job.order = whole_number("--order", options.order, 1, 2);
+    if (app.count("--order") > 0) job.tile.order = whole_number("--order", options.order, 1, 2);
 }
 
 void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
@@ -256,15 +256,15 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
         job.run.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
     }
     if (app.count("--origin") > 0) {
-        job.finds_origin = options.origin == "auto";
-        if (!job.finds_origin) job.origin = point("--origin", options.origin);
-        if (job.finds_origin && job.outline != plane::Outline::kBox) {
+        job.tile.finds_origin = options.origin == "auto";
+        if (!job.tile.finds_origin) job.tile.origin = point("--origin", options.origin);
+        if (job.tile.finds_origin && job.tile.outline != plane::Outline::kBox) {
             throw InvalidInput("--origin auto is for --outline box; add it, or give X,Y");
         }
     }
     if (app.count("--short-edges") > 0) {
-        job.short_edges = positive_number("--short-edges", options.short_edges);
-        if (job.short_edges > kLongestShortEdge) {
+        job.tile.short_edges = positive_number("--short-edges", options.short_edges);
+        if (job.tile.short_edges > kLongestShortEdge) {
             throw InvalidInput("--short-edges " + options.short_edges +
                                ": such edges are not short; take at most 0.5");
         }
@@ -275,8 +275,8 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
     }
     if (app.count("--repeat") > 0) {
         const Repetition times = repetition("--repeat", options.repeat);
-        job.columns = times.columns;
-        job.rows = times.rows;
+        job.tile.columns = times.columns;
+        job.tile.rows = times.rows;
     }
 }
 

@@ -46,8 +46,9 @@ constexpr std::array kFeatures{
     FeatureRow{.feature = F::kOriginOffWalls,
                .is_chosen =
                    [](const Job& job) {
-                       return job.finds_origin ||
-                              across_walls(job, [&](int axis) { return job.origin[axis] != 0; });
+                       return job.tile.finds_origin || across_walls(job, [&](int axis) {
+                                  return job.tile.origin[axis] != 0;
+                              });
                    }},
     FeatureRow{.feature = F::kDensity,
                .option = "--density",
@@ -129,25 +130,27 @@ constexpr std::array kFeatures{
         .feature = F::kDelaunay,
         .in_space = true,
         .is_chosen = [](const Job& job) { return has_mesh_kind(job, plane::MeshKind::kDelaunay); }},
-    FeatureRow{.feature = F::kOutline,
-               .option = "--outline",
-               .fields = "outline",
-               .is_chosen = [](const Job& job) { return job.outline == plane::Outline::kBox; }},
+    FeatureRow{
+        .feature = F::kOutline,
+        .option = "--outline",
+        .fields = "outline",
+        .is_chosen = [](const Job& job) { return job.tile.outline == plane::Outline::kBox; }},
     FeatureRow{.feature = F::kGrainSize,
                .option = "--size",
                .fields = "grain_size",
-               .is_chosen = [](const Job& job) { return job.grain_size > 0; }},
+               .is_chosen = [](const Job& job) { return job.tile.grain_size > 0; }},
     FeatureRow{.feature = F::kGrainPerEdge,
                .option = "--per-edge",
                .fields = "grain_per_edge",
-               .is_chosen = [](const Job& job) { return job.grain_per_edge > 0; }},
+               .is_chosen = [](const Job& job) { return job.tile.grain_per_edge > 0; }},
     FeatureRow{.feature = F::kOrder, .option = "--order", .fields = "grain_order"},
     FeatureRow{.feature = F::kRepeat, .option = "--repeat", .fields = "columns rows"},
     FeatureRow{.feature = F::kRepeatAcrossWalls,
                .is_chosen =
                    [](const Job& job) {
-                       return across_walls(
-                           job, [&](int axis) { return (axis == 0 ? job.columns : job.rows) > 1; });
+                       return across_walls(job, [&](int axis) {
+                           return (axis == 0 ? job.tile.columns : job.tile.rows) > 1;
+                       });
                    }},
     FeatureRow{.feature = F::kTable, .option = "--cells"},
     FeatureRow{.feature = F::kColour,

@@ -136,9 +136,9 @@ std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
     if (job.symmetry) {
         const plane::Density folded =
             folded_density(*job.density, plane::PlaneGroup(*job.symmetry, job.lattice));
-        return densities_at(folded, job.lattice, wrapped_sites(cells, job.origin));
+        return densities_at(folded, job.lattice, wrapped_sites(cells, job.tile.origin));
     }
-    return densities_at(*job.density, job.lattice, wrapped_sites(cells, job.origin));
+    return densities_at(*job.density, job.lattice, wrapped_sites(cells, job.tile.origin));
 }
 
 void add_materials(const Job& job, Computation& computation) {

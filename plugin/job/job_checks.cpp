@@ -26,20 +26,20 @@ constexpr double kMostGrainSquares = 1 << 27;
 plane::Reduction reduce_repeated(const Job& job) {
     reduce(job.lattice);
     try {
-        return reduce(job.lattice.repeated(job.columns, job.rows));
+        return reduce(job.lattice.repeated(job.tile.columns, job.tile.rows));
     } catch (const InvalidInput& error) {
-        throw InvalidInput("repeated " + std::to_string(job.columns) + " x " +
-                           std::to_string(job.rows) + ": " + error.what());
+        throw InvalidInput("repeated " + std::to_string(job.tile.columns) + " x " +
+                           std::to_string(job.tile.rows) + ": " + error.what());
     }
 }
 
 /// Requires that the offsets fit their integers, and that different vertices stay different.
 void check_origin(const Job& job, const plane::Reduction& repeated, double n_sites) {
-    const plane::Vec2 periods = repeated.reduced.to_lattice(job.origin);
+    const plane::Vec2 periods = repeated.reduced.to_lattice(job.tile.origin);
     double largest = 1;
     for (const int entry : repeated.m) largest = std::max(largest, std::abs(double(entry)));
     const double rounding =
-        kUlps * std::numeric_limits<double>::epsilon() * job.origin.cwiseAbs().maxCoeff();
+        kUlps * std::numeric_limits<double>::epsilon() * job.tile.origin.cwiseAbs().maxCoeff();
     const double h = std::sqrt(job.lattice.area() / n_sites);
     if (!(periods.cwiseAbs().maxCoeff() * largest < kLargestOffset) ||
         !(rounding <= plane::kSameVertex * h)) {
@@ -49,23 +49,25 @@ void check_origin(const Job& job, const plane::Reduction& repeated, double n_sit
 }
 
 void check_grains(const Job& job) {
-    const double copies = double(job.columns) * job.rows;
+    const double copies = double(job.tile.columns) * job.tile.rows;
     const double n = std::max<double>(static_cast<double>(job.points.cols()), job.n_sites);
     // A regular hexagon with edges cut into k parts has 2.6 k^2 squares over them.
-    const double squares = job.grain_size > 0
-                               ? job.lattice.area() * copies / (job.grain_size * job.grain_size)
-                               : 2.6 * n * copies * job.grain_per_edge * job.grain_per_edge;
+    const double squares =
+        job.tile.grain_size > 0
+            ? job.lattice.area() * copies / (job.tile.grain_size * job.tile.grain_size)
+            : 2.6 * n * copies * job.tile.grain_per_edge * job.tile.grain_per_edge;
     if (squares > kMostGrainSquares) {
         throw LimitExceeded("grains of that size are more than pcvt holds; take larger ones");
     }
 }
 
 void check_repetition(const Job& job) {
-    if (job.columns < 1 || job.rows < 1) throw InvalidInput("a repetition is below 1; take 1 x 1");
-    if (job.columns <= kMostPeriods && job.rows <= kMostPeriods) return;
-    throw LimitExceeded("repeated " + std::to_string(job.columns) + " x " +
-                        std::to_string(job.rows) + ": more than " + std::to_string(kMostPeriods) +
-                        " periods in a row; repeat less often");
+    if (job.tile.columns < 1 || job.tile.rows < 1)
+        throw InvalidInput("a repetition is below 1; take 1 x 1");
+    if (job.tile.columns <= kMostPeriods && job.tile.rows <= kMostPeriods) return;
+    throw LimitExceeded("repeated " + std::to_string(job.tile.columns) + " x " +
+                        std::to_string(job.tile.rows) + ": more than " +
+                        std::to_string(kMostPeriods) + " periods in a row; repeat less often");
 }
 
 void check_meshes(const Job& job) {
@@ -73,7 +75,8 @@ void check_meshes(const Job& job) {
         throw InvalidInput("no mesh is given; take " +
                            listed_words(plane::kMeshKinds, ", ", " or "));
     }
-    if (job.order != 1 && job.order != 2) throw InvalidInput("the order of grains is 1 or 2");
+    if (job.tile.order != 1 && job.tile.order != 2)
+        throw InvalidInput("the order of grains is 1 or 2");
     if (has_mesh(job, &plane::MeshKindRow::grain_size)) check_grains(job);
 }
 
@@ -130,14 +133,14 @@ void check_job(const Job& job) {
     check_symmetry(job);
     check_constraints(job);
     if (job.run.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
-    if (!(job.short_edges >= 0 && job.short_edges <= kLongestShortEdge)) {
+    if (!(job.tile.short_edges >= 0 && job.tile.short_edges <= kLongestShortEdge)) {
         throw InvalidInput("the length under which edges are removed is not between 0 and 0.5 h");
     }
     check_repetition(job);
     check_stability(job, n);
     require_orientations(job.materials, static_cast<int>(n));
     check_meshes(job);
-    if (n * job.columns * job.rows > plane::kMostSites) {
+    if (n * job.tile.columns * job.tile.rows > plane::kMostSites) {
         throw LimitExceeded("more than " + std::to_string(plane::kMostSites) +
                             " cells in one tile; take fewer sites or repeat less often");
     }

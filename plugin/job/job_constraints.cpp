@@ -156,7 +156,8 @@ Tessellation compute_cells_with_inclusions(const Job& job, const plane::CvtOptio
     const InclusionFile file = inclusions_of(job);
     plane::InterfaceCvt result = named(file, [&] {
         plane::InclusionSet set(job.lattice, file.inclusions, job.walls);
-        if (job.outline == plane::Outline::kBox && !job.finds_origin) set.set_box(job.origin);
+        if (job.tile.outline == plane::Outline::kBox && !job.tile.finds_origin)
+            set.set_box(job.tile.origin);
         return compute_interface_cvt(set, job.n_sites, job.seed, options, job.wall_cells);
     });
     const plane::PeriodicMesh cells = cell_mesh(result.cvt.delaunay);

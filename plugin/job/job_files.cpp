@@ -150,16 +150,16 @@ void check_constants(const Job& job, const std::vector<JobFile>& files,
 }  // namespace
 
 FormatRequest format_request(const Job& job, plane::MeshKind kind) {
-    return {.lattice = job.lattice.repeated(job.columns, job.rows),
+    return {.lattice = job.lattice.repeated(job.tile.columns, job.tile.rows),
             .kind = kind,
-            .outline = job.outline,
-            .short_edges = job.short_edges,
+            .outline = job.tile.outline,
+            .short_edges = job.tile.short_edges,
             .n_sites = job.points.cols() > 0 ? double(job.points.cols()) : job.n_sites,
-            .n_periods = double(job.columns) * job.rows,
+            .n_periods = double(job.tile.columns) * job.tile.rows,
             .walls = job.walls,
             .has_holes = !job.holes.empty(),
             .has_weights = job.areas.has_value(),
-            .origin = job.origin,
+            .origin = job.tile.origin,
             .files = job.file_options};
 }
 
@@ -200,7 +200,7 @@ std::vector<JobFile> plan_files(const Job& job) {
 }
 
 void check_order(const Job& job, const std::vector<JobFile>& files) {
-    if (job.order == 1 || files.empty()) return;
+    if (job.tile.order == 1 || files.empty()) return;
     const bool held = std::any_of(files.begin(), files.end(), [](const JobFile& file) {
         return file.format->highest_order > 1;
     });

@@ -99,18 +99,18 @@ double n_sites(const Job& job) {
 
 /// The number of triangles of the grains, those with mid-side nodes counted as several.
 double n_grain_triangles(const Job& job) {
-    const double copies = double(job.columns) * job.rows;
+    const double copies = double(job.tile.columns) * job.tile.rows;
     // Edges of the default size are h / 3; a regular hexagon has edges of 0.62 h.
-    const double parts = job.grain_per_edge > 0 ? 1.6 * job.grain_per_edge : 3;
-    const double squares = job.grain_size > 0
-                               ? job.lattice.area() * copies / (job.grain_size * job.grain_size)
-                               : n_sites(job) * copies * parts * parts;
-    return kTrianglesPerSquare * squares * (job.order == 2 ? kOrder2 : 1);
+    const double parts = job.tile.grain_per_edge > 0 ? 1.6 * job.tile.grain_per_edge : 3;
+    const double squares = job.tile.grain_size > 0 ? job.lattice.area() * copies /
+                                                         (job.tile.grain_size * job.tile.grain_size)
+                                                   : n_sites(job) * copies * parts * parts;
+    return kTrianglesPerSquare * squares * (job.tile.order == 2 ? kOrder2 : 1);
 }
 
 double mesh_bytes(const Job& job, plane::MeshKind kind, const FormatMemory& bytes) {
     if (mesh_kind_row(kind).grain_size) return bytes.grain * n_grain_triangles(job);
-    const double copies = double(job.columns) * job.rows;
+    const double copies = double(job.tile.columns) * job.tile.rows;
     const double a_site = kind == plane::MeshKind::kVoronoi ? bytes.cell : 2 * bytes.triangle;
     return a_site * n_sites(job) * (kOfSites + (1 - kOfSites) * copies);
 }
@@ -156,7 +156,7 @@ double tile_bytes(const Job& job, const std::vector<JobFile>& files) {
         meshes += (k == 0 ? 1 : kBesideAnother) * writing[k];
     // All tiles of a job are built before the first file is written.
     if (needs_tiles(job, files)) {
-        const FormatMemory& built = job.outline == plane::Outline::kBox ? kBuiltBox : kBuilt;
+        const FormatMemory& built = job.tile.outline == plane::Outline::kBox ? kBuiltBox : kBuilt;
         meshes = std::max(meshes, mesh_bytes(job, job.meshes.front(), built));
         for (std::size_t k = 1; k < job.meshes.size(); ++k) {
             meshes += mesh_bytes(job, job.meshes[k], kHeld);
@@ -196,14 +196,14 @@ void require_memory_to_write(const Job& job, const std::vector<JobFile>& files) 
 }
 
 void require_memory_for_mesh(const Job& job, plane::MeshKind kind) {
-    const double copies = double(job.columns) * job.rows;
+    const double copies = double(job.tile.columns) * job.tile.rows;
     if (mesh_kind_row(kind).grain_size) {
         require_available("the tile takes",
                           kHanded.grain * n_grain_triangles(job) * (job.aspect ? kMappedGrains : 1),
                           "take fewer sites, or larger grains");
         return;
     }
-    const double boxed = job.outline == plane::Outline::kBox ? kBoxedCells : 1;
+    const double boxed = job.tile.outline == plane::Outline::kBox ? kBoxedCells : 1;
     const double a_site =
         kind == plane::MeshKind::kVoronoi ? boxed * kHanded.cell : 2 * kHanded.triangle;
     require_available("the mesh takes", a_site * n_sites(job) * copies,

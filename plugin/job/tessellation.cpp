@@ -211,7 +211,7 @@ plane::Points progress_sites(const Job& job, const Progress& progress) {
     const plane::Metric metric = metric_of(job);
     plane::Points points = (*progress.positions)();
     for (auto p : points.colwise()) p = metric.from_round(p);
-    return wrapped(std::move(points), job.lattice, job.origin, job.walls);
+    return wrapped(std::move(points), job.lattice, job.tile.origin, job.walls);
 }
 
 double energy_bound(const Tessellation& tessellation) {

@@ -40,7 +40,7 @@ struct InterfaceFigures {
 ///
 /// Example usage:
 ///     const PeriodicMesh cells = plane_mesh(tessellation, MeshKind::kVoronoi);
-///     const Points sites = wrapped_sites(tessellation, job.origin);
+///     const Points sites = wrapped_sites(tessellation, job.tile.origin);
 struct Tessellation {
     /// In the round space of `elongation`, if there is one. With weights in a run with areas.
     plane::PeriodicDelaunay delaunay;

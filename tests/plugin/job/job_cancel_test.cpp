@@ -114,15 +114,15 @@ TEST(Cancelling, IsNoticedWhileCellsAreMadeAndWritten) {
 TEST(Cancelling, IsNoticedInBoxesRepeatsAndGrains) {
     const TemporaryFolder folder;
     Job job = job_of(kSites / 10, 30, folder, {"t.obj"});
-    job.columns = 4;
-    job.rows = 3;
-    job.outline = plane::Outline::kBox;
-    job.finds_origin = true;
-    job.short_edges = 0.1;
+    job.tile.columns = 4;
+    job.tile.rows = 3;
+    job.tile.outline = plane::Outline::kBox;
+    job.tile.finds_origin = true;
+    job.tile.short_edges = 0.1;
     expect_short_pauses(job);
     job = job_of(kSites / 20, 30, folder, {"t.msh", "t.inp", "u.vtu"});
     job.meshes = {plane::MeshKind::kGrains};
-    job.order = 2;
+    job.tile.order = 2;
     job.force = true;
     expect_short_pauses(job);
 }
