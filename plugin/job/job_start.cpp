@@ -34,11 +34,10 @@ JobStart random_start(const Job& job, const ProgressCallback& /*callback*/) {
 }
 
 JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
-    const plane::CoarseStartOptions options{.seed = job.seed,
-                                            .n_threads = job.run.n_threads,
-                                            .density = job.density,
-                                            .walls = job.walls,
-                                            .progress = callback};
+    const plane::CoarseStartOptions options{
+        .run = {.seed = job.seed, .n_threads = job.run.n_threads, .progress = callback},
+        .density = job.density,
+        .walls = job.walls};
     JobStart start;
     start.precondition_below = plane::kPreconditionAfterCoarse;
     if (job.symmetry) {

@@ -76,7 +76,7 @@ Tessellation compute_power_cells(const Job& job, JobStart& start, JobMonitor& mo
     options.tolerance = job.run.tolerance;
     options.n_threads = job.run.n_threads;
     options.progress = [&](const Progress& progress) { return monitor.iteration(progress); };
-    options.newton_progress = [&, first = true](const plane::AreaFigures& areas) mutable {
+    options.newton_progress = [&, first = true](const SizeFigures& areas) mutable {
         // The first call comes once the first triangulation is built and measured.
         if (std::exchange(first, false)) built();
         monitor.newton_step(areas.newton_steps, areas.largest_relative_error);

@@ -48,11 +48,12 @@ Eigen::Matrix3d period_matrix(const space::Lattice& lattice) {
 }
 
 space::Points coarse_points(const SpaceJob& job, JobMonitor& monitor) {
-    space::Points points = space::coarse_start(
-        job.lattice, job.n_sites,
-        {.seed = job.seed,
-         .n_threads = job.run.n_threads,
-         .progress = [&](const Progress& progress) { return monitor.start_iteration(progress); }});
+    space::Points points = space::coarse_start(job.lattice, job.n_sites,
+                                               {{.seed = job.seed,
+                                                 .n_threads = job.run.n_threads,
+                                                 .progress = [&](const Progress& progress) {
+                                                     return monitor.start_iteration(progress);
+                                                 }}});
     if (points.cols() == 0) throw Cancelled{};
     return points;
 }

@@ -19,7 +19,7 @@ inline plane::CvtOptions to_tolerance(double tolerance) {
 
 /// A coarse start of constant density from a seed.
 inline plane::CoarseStartOptions seeded(std::uint64_t seed, int n_threads = 1) {
-    return {.seed = seed, .n_threads = n_threads, .density = {}, .progress = {}};
+    return {{.seed = seed, .n_threads = n_threads}};
 }
 
 }  // namespace pcvt::testing

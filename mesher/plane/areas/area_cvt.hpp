@@ -30,7 +30,7 @@ struct AreaCvtOptions {
     int n_threads = 1;
     /// Called once per centroidal step or iteration; returning false cancels the run.
     ProgressCallback progress = {};
-    /// Called with the figures of the weights of each position, as AreaNewton::solve does.
+    /// Called with the figures of the weights of each position, as SizeNewton::solve does.
     NewtonCallback newton_progress = {};
 };
 
@@ -42,7 +42,7 @@ struct AreaCvtResult {
     /// most the tolerance; stalled: the areas were not reached.
     RunStatistics run;
     /// Of the last areas; newton_steps, products and trials are those of the whole run.
-    AreaFigures areas;
+    SizeFigures areas;
     DelaunayCounts counts;
 };
 

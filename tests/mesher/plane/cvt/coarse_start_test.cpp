@@ -132,7 +132,7 @@ TEST(CoarseStart, LeadsToLowerMinimaOfSmoothDensitiesToo) {
 TEST(CoarseStart, StopsWhenCancelled) {
     CoarseStartOptions options = seeded(1);
     int n_calls = 0;
-    options.progress = [&](const Progress&) { return ++n_calls < 5; };
+    options.run.progress = [&](const Progress&) { return ++n_calls < 5; };
     EXPECT_EQ(coarse_start(Lattice::rectangle(1, 1), 1000, options).cols(), 0);
     EXPECT_EQ(n_calls, 5);
 }

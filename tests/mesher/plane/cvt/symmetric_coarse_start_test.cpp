@@ -168,7 +168,7 @@ TEST(SymmetricCoarseStart, StopsWhenCancelled) {
     const PlaneGroup group = example(PlaneGroupName::kPgg);
     CoarseStartOptions options = seeded(1);
     int n_calls = 0;
-    options.progress = [&](const Progress&) { return ++n_calls < 5; };
+    options.run.progress = [&](const Progress&) { return ++n_calls < 5; };
     EXPECT_FALSE(symmetric_coarse_start(group, general_plan(group, 300), options).has_value());
     EXPECT_EQ(n_calls, 5);
 }
