@@ -3,6 +3,7 @@
 #include "plugin/abi/feature_fields.hpp"
 #include "plugin/abi/option_values.hpp"
 #include "plugin/abi/options.hpp"
+#include "plugin/job/job_start.hpp"
 
 namespace pcvt::abi {
 namespace {
@@ -11,11 +12,6 @@ constexpr const char* kPlaneAlone =
     "is not for three dimensions; leave it at its default, or set dimension to 2";
 constexpr const char* kPlaneFile = "is not for files in three dimensions; leave it at its default";
 
-static_assert(find_abi_value(kSpaceStarts, PCVT_START_RANDOM)->start == SpaceStart::kRandom);
-static_assert(find_abi_value(kSpaceStarts, PCVT_START_COARSE)->start == SpaceStart::kCoarse);
-static_assert(find_abi_value(kSpaceStarts, PCVT_START_LATTICE)->start == SpaceStart::kLattice);
-static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LBFGS)->solver == Solver::kLbfgs);
-static_assert(find_abi_value(kSpaceSolvers, PCVT_SOLVER_LLOYD)->solver == Solver::kLloyd);
 static_assert(find_abi_value(kSpaceMeshes, PCVT_VORONOI)->mesh == SpaceMesh::kVoronoi);
 static_assert(find_abi_value(kSpaceMeshes, PCVT_DELAUNAY)->mesh == SpaceMesh::kDelaunay);
 static_assert(find_abi_value(kSurfaceForms, PCVT_SURFACE_CELLS)->form == SurfaceForm::kCells);
@@ -24,7 +20,8 @@ static_assert(find_abi_value(kSurfaceForms, PCVT_SURFACE_BOUNDARY)->form == Surf
 /// @param words  the choices, for the message.
 template <class Table>
 const auto& space_row(const char* name, std::int32_t value, const Table& table, const char* words) {
-    if (const auto* row = find_abi_value(table, value)) return *row;
+    const auto* const row = find_abi_value(table, value);
+    if (row != nullptr && row->in_space) return *row;
     throw InvalidInput(std::string(name) + " " + std::to_string(value) +
                        " is not for three dimensions; take " + words);
 }
@@ -72,14 +69,14 @@ SpaceJob make_space_job(const pcvt_options& options) {
     job.lattice = space_lattice(options.lattice3);
     job.n_sites = options.n_sites;
     if (options.start != PCVT_START_DEFAULT) {
-        job.start = space_row("start", options.start, kSpaceStarts,
+        job.start = space_row("start", options.start, start_rows(),
                               "PCVT_START_DEFAULT, PCVT_START_RANDOM, PCVT_START_COARSE or "
                               "PCVT_START_LATTICE")
                         .start;
     }
     job.seed = options.seed;
     if (options.solver != PCVT_SOLVER_DEFAULT) {
-        job.run.solver = space_row("solver", options.solver, kSpaceSolvers,
+        job.run.solver = space_row("solver", options.solver, kSolvers,
                                    "PCVT_SOLVER_DEFAULT, PCVT_SOLVER_LBFGS or PCVT_SOLVER_LLOYD")
                              .solver;
     }

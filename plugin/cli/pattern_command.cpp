@@ -66,7 +66,7 @@ Job make_pattern_job(const CLI::App& app, const MeshOptions& options) {
 SpaceJob make_space_pattern_job(const CLI::App& app, const MeshOptions& options) {
     require_pattern_options(app);
     SpaceJob job = make_space_job(app, options);
-    job.start = SpaceStart::kLattice;
+    job.start = Start::kLattice;
     job.run.max_iterations = 0;
     return job;
 }

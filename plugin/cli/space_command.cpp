@@ -17,6 +17,7 @@
 #include "plugin/job/available_memory.hpp"
 #include "plugin/job/features.hpp"
 #include "plugin/job/job_memory.hpp"
+#include "plugin/job/job_start.hpp"
 #include "plugin/space/space_memory.hpp"
 
 namespace pcvt::cli {
@@ -24,9 +25,9 @@ namespace {
 
 template <class Table>
 const auto& space_row(const char* option, const std::string& word, const Table& table) {
-    if (const auto* row = find_word(table, word)) return *row;
+    if (const auto* row = find_word(table, word); row != nullptr && row->in_space) return *row;
     throw InvalidInput(std::string(option) + " " + word + ": not for three dimensions; take " +
-                       listed_words(table, ", ", " or "));
+                       listed_words(rows_in_space(table), ", ", " or "));
 }
 
 std::ptrdiff_t count_commas(const std::string& text) {
@@ -58,14 +59,14 @@ void read_sites_options(const CLI::App& app, const MeshOptions& options, SpaceJo
     }
     if (app.count("--seed") > 0) job.seed = seed_number("--seed", options.seed);
     if (app.count("--start") > 0)
-        job.start = space_row("--start", options.start, kSpaceStarts).start;
+        job.start = space_row("--start", options.start, start_rows()).start;
     if (app.count("--input") > 0 && options.input != "-") job.inputs.push_back(options.input);
     job.duplicates = chosen_duplicates(app, options.duplicates);
 }
 
 void read_solver_options(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
     if (app.count("--solver") > 0) {
-        job.run.solver = space_row("--solver", options.solver, kSpaceSolvers).solver;
+        job.run.solver = space_row("--solver", options.solver, kSolvers).solver;
     }
     if (app.count("--tolerance") > 0) {
         job.run.tolerance = positive_number("--tolerance", options.tolerance);

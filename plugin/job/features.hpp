@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <vector>
 
 #include "io/tile_formats.hpp"
 
@@ -114,6 +116,16 @@ std::span<const FeatureRow> features();
 const FeatureRow* find_option(std::string_view option);
 /// The row of a field of pcvt.h, nullptr for one that every job can have.
 const FeatureRow* find_field(std::string_view field);
+
+/// The rows of a table of choices (mesher/base/choices.hpp) that jobs in space can have.
+template <class Table>
+auto rows_in_space(const Table& table) {
+    std::vector<std::decay_t<decltype(*std::begin(table))>> rows;
+    for (const auto& row : table) {
+        if (row.in_space) rows.push_back(row);
+    }
+    return rows;
+}
 
 /// Requires that no two features of a job contradict each other, and that it has those on which
 /// others depend.

@@ -82,7 +82,7 @@ std::string run_takes(const SpaceJob& job) {
 
 /// The best lattice and its stability, if the run begins there.
 std::optional<SpacePatternOutcome> find_pattern(const SpaceJob& job) {
-    if (job.points.cols() > 0 || chosen_start(job) != SpaceStart::kLattice) return std::nullopt;
+    if (job.points.cols() > 0 || chosen_start(job) != Start::kLattice) return std::nullopt;
     const space::LatticePattern pattern =
         space::best_lattice(period_matrix(job.lattice), job.n_sites);
     return SpacePatternOutcome{pattern, space::lattice_stability(pattern)};
@@ -92,7 +92,7 @@ space::Points start_points(const SpaceJob& job, const std::optional<SpacePattern
                            JobMonitor& monitor) {
     if (job.points.cols() > 0) return job.points;
     if (pattern) return pattern_points(pattern->lattice);
-    if (chosen_start(job) == SpaceStart::kCoarse) return coarse_points(job, monitor);
+    if (chosen_start(job) == Start::kCoarse) return coarse_points(job, monitor);
     return uniform_points(job.lattice, job.n_sites, job.seed);
 }
 
@@ -254,9 +254,9 @@ void settle_duplicates(SpaceJob& job) {
     job.n_tetrahedra = expected_tetrahedra(space::Sites(job.lattice, job.points));
 }
 
-SpaceStart chosen_start(const SpaceJob& job) {
+Start chosen_start(const SpaceJob& job) {
     const bool coarse = job.n_sites >= kFewestForCoarse && job.run.max_iterations != 0;
-    return job.start.value_or(coarse ? SpaceStart::kCoarse : SpaceStart::kRandom);
+    return job.start.value_or(coarse ? Start::kCoarse : Start::kRandom);
 }
 
 double energy_bound(const SpaceJob& job) {

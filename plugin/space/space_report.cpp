@@ -1,8 +1,8 @@
 #include "plugin/space/space_report.hpp"
 
 #include "io/bytes/json_writer.hpp"
-#include "mesher/base/choices.hpp"
 #include "plugin/job/job.hpp"
+#include "plugin/job/job_start.hpp"
 #include "plugin/job/report_parts.hpp"
 #include "plugin/job/version.hpp"
 
@@ -10,9 +10,7 @@ namespace pcvt {
 namespace {
 
 const char* start_name(const SpaceJob& job) {
-    if (job.points.cols() > 0) return "file";
-    const SpaceStart start = chosen_start(job);
-    return find_row(kSpaceStarts, [=](const auto& row) { return row.start == start; })->word;
+    return job.points.cols() > 0 ? "file" : start_row(chosen_start(job)).word;
 }
 
 void append_pattern(JsonWriter& json, const std::optional<SpacePatternOutcome>& pattern) {
