@@ -55,7 +55,7 @@ void set_density(const pcvt_options& options, const std::fenv_t& host, Job& job)
     }
     if (options.density == nullptr) {
         job.density_name = options.density_source;
-        job.density = source_density(job.density_name, range, job.lattice);
+        job.density = source_density(job.density_name, range, job.in_plane().lattice);
         return;
     }
     if (options.density_source != nullptr || range) {
@@ -64,7 +64,7 @@ void set_density(const pcvt_options& options, const std::fenv_t& host, Job& job)
     job.run.n_threads = 1;
     job.density_name = "callback";
     const plane::Density density{[&options, &host] { return HostDensity(options, host); }};
-    job.density = with_axis_breaks(job.lattice, density);
+    job.density = with_axis_breaks(job.in_plane().lattice, density);
 }
 
 }  // namespace pcvt::abi

@@ -301,9 +301,9 @@ Job make_job(const pcvt_options& options) {
     }
     require_positive("tolerance", options.tolerance);
     Job job;
-    job.lattice = plane::Lattice({options.lattice[0], options.lattice[1]},
+    job.in_plane().lattice = plane::Lattice({options.lattice[0], options.lattice[1]},
                                  {options.lattice[2], options.lattice[3]});
-    job.points = given_sites(options);
+    job.in_plane().points = given_sites(options);
     job.n_sites = options.n_sites;
     job.seed = options.seed;
     job.start = start(options);
@@ -326,7 +326,7 @@ Job make_job(const pcvt_options& options) {
     job.walls = chosen_row("walls", options.walls, kWalls).walls;
     job.wall_cells = chosen_row("wall_cells", options.wall_cells, kWallCells).cells;
     job.materials = materials(options);
-    job.fixed = fixed_sites(options);
+    job.in_plane().fixed = fixed_sites(options);
     if (options.inclusions != nullptr) {
         job.inclusions = parse_inclusions("inclusions", options.inclusions);
     }

@@ -108,7 +108,7 @@ pcvt_status generate_in_plane(const pcvt_options& options, pcvt_result** result,
 
 pcvt_status generate_in_space(const pcvt_options& options, pcvt_result** result,
                               const std::fenv_t& host) {
-    SpaceJob job = make_space_job(options);
+    Job job = make_space_job(options);
     settle_duplicates(job);
     const JobCallback callback =
         job_callback({options.progress, options.progress_data}, pcvt::energy_bound(job), host);

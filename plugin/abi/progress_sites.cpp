@@ -24,7 +24,7 @@ pcvt_sites ProgressSites::current_view() {
         throw InvalidInput("the sites are not known in this call of the progress callback");
     }
     if (now.points_.cols() == 0) now.points_ = progress_sites(*now.job_, now.progress_);
-    const plane::Lattice& lattice = now.job_->lattice;
+    const plane::Lattice& lattice = now.job_->in_plane().lattice;
     pcvt_sites view{};
     view.lattice[0] = lattice.a().x();
     view.lattice[1] = lattice.a().y();

@@ -144,7 +144,7 @@ const TileArrays& Result::arrays(const Layout& layout, JobMonitor& monitor) cons
 
 double energy_bound(const Job& job, int n_sites) {
     return job.density ? std::numeric_limits<double>::quiet_NaN()
-                       : plane::hexagonal_bound(job.lattice.area(), n_sites);
+                       : plane::hexagonal_bound(job.in_plane().lattice.area(), n_sites);
 }
 
 double Result::energy_bound() const {
@@ -154,7 +154,7 @@ double Result::energy_bound() const {
 
 pcvt_sites Result::sites() const {
     pcvt_sites view{};
-    copy_lattice(job_.lattice, view.lattice);
+    copy_lattice(job_.in_plane().lattice, view.lattice);
     view.points = sites_.data();
     view.n_sites = static_cast<std::int32_t>(sites_.cols());
     const Eigen::VectorXd& weights = computed_.cells.delaunay.weights();

@@ -57,7 +57,7 @@ bool means_space(const pcvt_options& options) {
     return false;
 }
 
-SpaceJob make_space_job(const pcvt_options& options) {
+Job make_space_job(const pcvt_options& options) {
     require_default_fields(kOptionFields, options, default_options(), &FeatureRow::in_space,
                            kPlaneAlone);
     if (options.n_sites < 1 || options.n_sites > space::kMostSites) {
@@ -65,8 +65,8 @@ SpaceJob make_space_job(const pcvt_options& options) {
     }
     require_positive("tolerance", options.tolerance);
     require_one_start(options.sites, options.start);
-    SpaceJob job;
-    job.lattice = space_lattice(options.lattice3);
+    Job job;
+    job.domain = SpaceDomain{space_lattice(options.lattice3)};
     job.n_sites = options.n_sites;
     if (options.start != PCVT_START_DEFAULT) {
         job.start = space_row("start", options.start, start_rows(),
@@ -83,10 +83,10 @@ SpaceJob make_space_job(const pcvt_options& options) {
     job.run.tolerance = options.tolerance;
     job.run.max_iterations = options.max_iterations;
     job.run.n_threads = thread_count(options.n_threads);
-    job.points = space_sites(options);
+    job.in_space().points = space_sites(options);
     job.duplicates = duplicates(options);
     require_finite("short_edges", &options.short_edges, 1);
-    job.short_edges = options.short_edges;
+    job.tile.short_edges = options.short_edges;
     return job;
 }
 

@@ -15,7 +15,7 @@ bool means_space(const pcvt_options& options);
 /// The job that the options describe. Copies the sites.
 /// @pre the dimension is 3.
 /// @throws InvalidInput naming the field, also for each field that applies to the plane alone.
-SpaceJob make_space_job(const pcvt_options& options);
+Job make_space_job(const pcvt_options& options);
 
 /// The forms that the options choose for the file `path`.
 /// @throws InvalidInput naming the field, also for each field that applies to the plane alone.

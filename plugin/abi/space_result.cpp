@@ -54,11 +54,11 @@ std::vector<int> counts_by_faces(const std::map<int, int>& face_counts) {
 
 }  // namespace
 
-SpaceResult::SpaceResult(SpaceJob job, SpaceComputation computed)
+SpaceResult::SpaceResult(Job job, SpaceComputation computed)
     : job_(std::move(job)), computed_(std::move(computed)) {
     // The result has the optimised sites; those that the run began with are not read again.
     job_.n_sites = computed_.cvt.delaunay.sites.n_sites();
-    job_.points = space::Points(3, 0);
+    job_.in_space().points = space::Points(3, 0);
 }
 
 double SpaceResult::energy_bound() const { return pcvt::energy_bound(job_); }
@@ -137,10 +137,10 @@ std::int32_t SpaceResult::minimum() const {
 }
 
 bool SpaceResult::write(const SpaceWriteRequest& request, const JobCallback& callback) const {
-    SpaceJob job = job_;
+    Job job = job_;
     if (!request.path.empty()) job.outputs.push_back(request.path);
     job.report = request.report;
-    job.file_options = request.files;
+    job.space_files = request.files;
     job.force = request.replace;
     plan_space_files(job);
     const SpaceTileSource make_tile = [this](JobMonitor& monitor) -> const ProvedSpaceTile& {

@@ -34,7 +34,7 @@ struct SpaceWriteRequest {
 /// number of threads may call it at once.
 class SpaceResult {
    public:
-    SpaceResult(SpaceJob job, SpaceComputation computed);
+    SpaceResult(Job job, SpaceComputation computed);
 
     double energy_bound() const;
     pcvt_cells cells() const;
@@ -50,7 +50,7 @@ class SpaceResult {
     const ProvedSpaceTile& tile() const;
     const CellArrays& arrays() const;
 
-    SpaceJob job_;
+    Job job_;
     SpaceComputation computed_;
     Lazy<ProvedSpaceTile> tile_;
     Lazy<CellArrays> arrays_;

@@ -35,7 +35,7 @@ void read_density(const CLI::App& app, const CellOptions& options, Job& job) {
         if (app.count("--density-range") == 0) return;
         throw InvalidInput("--density-range is for --density FILE.png; give one");
     }
-    job.density = density_option(options.density, options.density_range, job.lattice);
+    job.density = density_option(options.density, options.density_range, job.in_plane().lattice);
     job.density_name = options.density;
     if (names_picture(options.density)) job.inputs.push_back(options.density);
 }
@@ -131,7 +131,7 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
     }
     if (app.count("--fixed") > 0) {
         SiteFile file = read_sites<2>(options.fixed);
-        job.fixed = std::move(file.points);
+        job.in_plane().fixed = std::move(file.points);
         job.lines = std::move(file.lines);
         job.inputs.push_back(options.fixed);
     }
@@ -172,7 +172,7 @@ plane::Lattice automatic_period(const CellOptions& options) {
 void read_area_file(Job& job) {
     if (!job.areas || names_area_law(job.areas->name)) return;
     const AreaFile file = read_areas(job.areas->name);
-    require_areas(file, job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites);
+    require_areas(file, job.n_wanted());
     job.areas->given = file.areas;
 }
 

@@ -45,7 +45,7 @@ void read_area_file(Job& job);
 
 /// The density of --density and --density-range.
 ///
-///   job.density = density_option("1 + 9 * u", "", job.lattice);
+///   job.density = density_option("1 + 9 * u", "", job.in_plane().lattice);
 ///
 /// @param range    empty if the option is not given.
 /// @param lattice  defines the coordinates u and v.

@@ -81,7 +81,7 @@ std::string command_name(const CommandLine& line) {
 
 ExitCode run_chosen(const CommandLine& line) {
     if (line.mesh->parsed() && means_space(line.mesh_options)) {
-        const SpaceJob job = make_space_job(*line.mesh, line.mesh_options);
+        const Job job = make_space_job(*line.mesh, line.mesh_options);
         end_start_guard();
         return run_space_mesh(job, line.mesh_options);
     }
@@ -91,7 +91,7 @@ ExitCode run_chosen(const CommandLine& line) {
         return run_mesh(job, line.mesh_options);
     }
     if (line.pattern->parsed() && means_space(line.pattern_options)) {
-        const SpaceJob job = make_space_pattern_job(*line.pattern, line.pattern_options);
+        const Job job = make_space_pattern_job(*line.pattern, line.pattern_options);
         end_start_guard();
         return run_space_mesh(job, line.pattern_options);
     }

@@ -19,9 +19,9 @@ namespace {
 
 /// The energy that the display divides energies by.
 double expected_energy(const Job& job, int n) {
-    const double bound = plane::hexagonal_bound(job.lattice.area(), n);
+    const double bound = plane::hexagonal_bound(job.in_plane().lattice.area(), n);
     if (!job.density) return bound;
-    return bound * plane::DensitySurvey(job.lattice, *job.density, plane::kSurveyResolution)
+    return bound * plane::DensitySurvey(job.in_plane().lattice, *job.density, plane::kSurveyResolution)
                        .mean_root_squared();
 }
 
@@ -38,7 +38,7 @@ std::string memory_line(const Job& job) {
 
 /// Runs the job under the signals and the progress display.
 RunSummary run_watched(const Job& job, bool quiet) {
-    const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
+    const int n = job.n_wanted();
     const std::optional<double> available = available_memory();
     // The first progress follows the checks of the job, so that a refusal is one line.
     bool announces = n >= kFewestAnnounced && !quiet;
@@ -68,7 +68,7 @@ RunSummary run_distinct(Job& job, const SiteFile& file, bool quiet) {
 
 /// Runs the job. Reports sites that are too far away or coincident by their lines in the file.
 RunSummary run_file(Job& job, const SiteFile& file, bool quiet) {
-    const plane::Lattice reduced = reduce(job.lattice).reduced;
+    const plane::Lattice reduced = reduce(job.in_plane().lattice).reduced;
     for (std::size_t s = 0; s < file.lines.size(); ++s) {
         const plane::Vec2 u = reduced.to_lattice(file.points.col(static_cast<Eigen::Index>(s)));
         if (u.cwiseAbs().maxCoeff() < kFarthestPeriod) continue;
@@ -134,12 +134,12 @@ ExitCode run_mesh(Job job, const MeshOptions& options) {
     RunSummary summary;
     if (options.input.empty()) {
         read_area_file(job);
-        const SiteFile fixed{options.cells.fixed, job.fixed, job.lines};
-        summary = job.fixed.cols() > 0 ? run_distinct(job, fixed, options.quiet)
+        const SiteFile fixed{options.cells.fixed, job.in_plane().fixed, job.lines};
+        summary = job.in_plane().fixed.cols() > 0 ? run_distinct(job, fixed, options.quiet)
                                        : run_watched(job, options.quiet);
     } else {
         const SiteFile file = read_sites<2>(options.input);
-        job.points = file.points;
+        job.in_plane().points = file.points;
         job.lines = file.lines;
         read_area_file(job);
         if (options.period == "auto" && job.areas) require_all_sites(job);

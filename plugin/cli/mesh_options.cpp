@@ -300,7 +300,7 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     if (app.count("--symmetry") > 0) {
         job.symmetry = chosen_row("--symmetry", options.symmetry, plane::kPlaneGroups).name;
     }
-    job.lattice = chosen_lattice(app, options, job.symmetry);
+    job.in_plane().lattice = chosen_lattice(app, options, job.symmetry);
     read_cell_options(app, options.cells, job);
     read_site_source(app, options, job);
     read_choices(app, options, job);

@@ -63,9 +63,9 @@ Job make_pattern_job(const CLI::App& app, const MeshOptions& options) {
     return job;
 }
 
-SpaceJob make_space_pattern_job(const CLI::App& app, const MeshOptions& options) {
+Job make_space_pattern_job(const CLI::App& app, const MeshOptions& options) {
     require_pattern_options(app);
-    SpaceJob job = make_space_job(app, options);
+    Job job = make_space_job(app, options);
     job.start = Start::kLattice;
     job.run.max_iterations = 0;
     return job;

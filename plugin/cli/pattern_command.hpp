@@ -15,6 +15,6 @@ void add_pattern_options(CLI::App& app, MeshOptions& options);
 Job make_pattern_job(const CLI::App& app, const MeshOptions& options);
 
 /// The same for run_space_mesh, where means_space(options).
-SpaceJob make_space_pattern_job(const CLI::App& app, const MeshOptions& options);
+Job make_space_pattern_job(const CLI::App& app, const MeshOptions& options);
 
 }  // namespace pcvt::cli

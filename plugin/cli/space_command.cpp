@@ -51,7 +51,7 @@ space::Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options) {
                                      : space_lattice("--lattice", options.lattice);
 }
 
-void read_sites_options(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
+void read_sites_options(const CLI::App& app, const MeshOptions& options, Job& job) {
     require_one_site_source(app, options.input);
     refuse_beside_input(app, {"--seed", "--start"});
     if (app.count("--sites") > 0) {
@@ -64,7 +64,7 @@ void read_sites_options(const CLI::App& app, const MeshOptions& options, SpaceJo
     job.duplicates = chosen_duplicates(app, options.duplicates);
 }
 
-void read_solver_options(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
+void read_solver_options(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--solver") > 0) {
         job.run.solver = space_row("--solver", options.solver, kSolvers).solver;
     }
@@ -85,10 +85,10 @@ void read_solver_options(const CLI::App& app, const MeshOptions& options, SpaceJ
 constexpr int kFewestAnnouncedInSpace = 200'000;
 
 /// Runs the job under the signals and the progress display.
-SpaceSummary run_watched(const SpaceJob& job, bool quiet) {
+SpaceSummary run_watched(const Job& job, bool quiet) {
     const std::optional<double> available = available_memory();
-    const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
-    ProgressDisplay display(space::body_centred_energy(job.lattice.volume(), n), job.run.tolerance,
+    const int n = job.n_wanted();
+    ProgressDisplay display(space::body_centred_energy(job.in_space().lattice.volume(), n), job.run.tolerance,
                             !quiet);
     catch_cancel_signals();
     // The first progress follows the checks of the job, so that a refusal is one line.
@@ -102,32 +102,32 @@ SpaceSummary run_watched(const SpaceJob& job, bool quiet) {
     });
 }
 
-void read_short_edges(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
+void read_short_edges(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--short-edges") == 0) return;
-    job.short_edges = positive_number("--short-edges", options.short_edges);
-    if (job.short_edges <= space::kLongestShortEdge) return;
+    job.tile.short_edges = positive_number("--short-edges", options.short_edges);
+    if (job.tile.short_edges <= space::kLongestShortEdge) return;
     throw InvalidInput("--short-edges " + options.short_edges +
                        ": such edges are not short in space; take at most 0.1");
 }
 
 /// Requires that no file holds another mesh than the one that --mesh names.
-void read_mesh(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
+void read_mesh(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--mesh") == 0) return;
     if (options.meshes.size() > 1) {
         throw InvalidInput("--mesh: one mesh a run in three dimensions; remove one");
     }
-    job.file_options.mesh = space_row("--mesh", options.meshes.front(), kSpaceMeshes).mesh;
-    if (job.file_options.mesh == SpaceMesh::kDelaunay) return;
+    job.space_files.mesh = space_row("--mesh", options.meshes.front(), kSpaceMeshes).mesh;
+    if (job.space_files.mesh == SpaceMesh::kDelaunay) return;
     for (const SpaceJobFile& file : plan_space_files(job)) {
-        if (!file.format->shows_tetrahedra(job.file_options)) continue;
+        if (!file.format->shows_tetrahedra(job.space_files)) continue;
         throw InvalidInput("-o " + file.path + ": the format holds the tetrahedra of --mesh " +
                            "delaunay; leave --mesh out");
     }
 }
 
-void read_file_options(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
+void read_file_options(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--surface") == 0) return;
-    job.file_options.surfaces = chosen_row("--surface", options.files.surface, kSurfaceForms).form;
+    job.space_files.surfaces = chosen_row("--surface", options.files.surface, kSurfaceForms).form;
     const auto has_surfaces = [](const std::string& path) {
         const SpaceFormat* const format = find_space_format(path);
         return format != nullptr && format->surfaces == FormatSurfaces::kChosen;
@@ -143,7 +143,7 @@ std::string vector_text(const space::Vec3& v) {
 }
 
 /// The best exact lattice, its energy and its stability.
-std::string pattern_lines(const SpacePatternOutcome& pattern, double bound) {
+std::string pattern_lines(const PatternOutcome<space::LatticePattern>& pattern, double bound) {
     const space::LatticePattern& lattice = pattern.lattice;
     std::string basis;
     for (int k = 0; k < 3; ++k) {
@@ -185,10 +185,10 @@ bool means_space(const MeshOptions& options) {
     return count_commas(options.lattice) == 8 || count_commas(options.period) == 2;
 }
 
-SpaceJob make_space_job(const CLI::App& app, const MeshOptions& options) {
+Job make_space_job(const CLI::App& app, const MeshOptions& options) {
     refuse_foreign_options(app);
-    SpaceJob job;
-    job.lattice = chosen_lattice(app, options);
+    Job job;
+    job.domain = SpaceDomain{chosen_lattice(app, options)};
     read_sites_options(app, options, job);
     read_solver_options(app, options, job);
     job.outputs = options.outputs;
@@ -202,16 +202,16 @@ SpaceJob make_space_job(const CLI::App& app, const MeshOptions& options) {
     return job;
 }
 
-std::string space_summary_text(const SpaceJob& job, const SpaceSummary& summary) {
-    const Eigen::ArrayXXd given = lattice_coordinates(job.lattice, job.points);
-    const Eigen::ArrayXXd reduced = lattice_coordinates(reduce(job.lattice).reduced, job.points);
+std::string space_summary_text(const Job& job, const SpaceSummary& summary) {
+    const Eigen::ArrayXXd given = lattice_coordinates(job.in_space().lattice, job.in_space().points);
+    const Eigen::ArrayXXd reduced = lattice_coordinates(reduce(job.in_space().lattice).reduced, job.in_space().points);
     std::string text = summary_line(
-        "sites", std::to_string(summary.n_sites) + domain_note(job.points.array(), given, reduced));
+        "sites", std::to_string(summary.n_sites) + domain_note(job.in_space().points.array(), given, reduced));
     if (job.duplicates == Duplicates::kDrop)
-        text += duplicates_line(job.dropped, job.points.cols());
+        text += duplicates_line(job.dropped, job.in_space().points.cols());
     text +=
-        summary_line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()) +
-                                    " " + vector_text(job.lattice.c()));
+        summary_line("lattice", vector_text(job.in_space().lattice.a()) + " " + vector_text(job.in_space().lattice.b()) +
+                                    " " + vector_text(job.in_space().lattice.c()));
     if (summary.pattern) text += pattern_lines(*summary.pattern, summary.energy_bound);
     text += summary_line("stop", std::string(stop_name(summary.run.stop)) + " after " +
                                      counted(summary.run.iterations, "iteration") + ", " +
@@ -222,9 +222,9 @@ std::string space_summary_text(const SpaceJob& job, const SpaceSummary& summary)
     text += summary_line("residual", figure(summary.run.residual));
     if (job.stability) text += minimum_line(summary.minimum);
     text += summary_line("faces", face_text(summary));
-    if (job.short_edges > 0) {
+    if (job.tile.short_edges > 0) {
         text += summary_line("edges", std::to_string(summary.n_removed_edges) + " under " +
-                                          figure(job.short_edges) + " h removed");
+                                          figure(job.tile.short_edges) + " h removed");
     }
     text += summary_line("seam", seam_text(summary.proof));
     for (const std::string& words : summary.recovered) text += summary_line("recovered", words);
@@ -239,13 +239,13 @@ std::string space_summary_text(const SpaceJob& job, const SpaceSummary& summary)
     return text;
 }
 
-ExitCode run_space_mesh(SpaceJob job, const MeshOptions& options) {
+ExitCode run_space_mesh(Job job, const MeshOptions& options) {
     SpaceSummary summary;
     if (options.input.empty()) {
         summary = run_watched(job, options.quiet);
     } else {
         const SpaceSiteFile file = read_sites<3>(options.input);
-        job.points = file.points;
+        job.in_space().points = file.points;
         job.lines = file.lines;
         try {
             settle_duplicates(job);

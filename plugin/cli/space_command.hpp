@@ -16,14 +16,14 @@ bool means_space(const MeshOptions& options);
 /// @param app  that of add_mesh_options, after parsing.
 /// @throws InvalidInput, LimitExceeded naming the option, also for each option that applies to the
 ///         plane alone.
-SpaceJob make_space_job(const CLI::App& app, const MeshOptions& options);
+Job make_space_job(const CLI::App& app, const MeshOptions& options);
 
 /// `pcvt mesh` in three dimensions: reads the sites, runs the job, shows progress and prints the
 /// summary.
 /// @throws the exceptions of describe_failure.
-ExitCode run_space_mesh(SpaceJob job, const MeshOptions& options);
+ExitCode run_space_mesh(Job job, const MeshOptions& options);
 
 /// The text that is printed on standard output at the end: one "label value" a line.
-std::string space_summary_text(const SpaceJob& job, const SpaceSummary& summary);
+std::string space_summary_text(const Job& job, const SpaceSummary& summary);
 
 }  // namespace pcvt::cli

@@ -45,11 +45,11 @@ Eigen::ArrayXXd lattice_coordinates(const plane::Points& points, const plane::La
 }
 
 std::string site_text(const Job& job, const RunSummary& summary) {
-    const plane::Domain domain(job.lattice, job.tile.origin);
+    const plane::Domain domain(job.in_plane().lattice, job.tile.origin);
     return std::to_string(summary.n_sites) +
-           domain_note(job.points.array(),
-                       lattice_coordinates(job.points, job.lattice, job.tile.origin),
-                       lattice_coordinates(job.points, domain.basis(), domain.corner()));
+           domain_note(job.in_plane().points.array(),
+                       lattice_coordinates(job.in_plane().points, job.in_plane().lattice, job.tile.origin),
+                       lattice_coordinates(job.in_plane().points, domain.basis(), domain.corner()));
 }
 
 std::string grain_text(const plane::GrainFigures& grains) {
@@ -90,7 +90,7 @@ std::string tile_lines(const RunSummary& summary) {
 }
 
 /// The best exact lattice, its energy and its stability.
-std::string pattern_lines(const PatternOutcome& pattern) {
+std::string pattern_lines(const PatternOutcome<plane::LatticePattern>& pattern) {
     const plane::LatticePattern& lattice = pattern.lattice;
     return summary_line("pattern", vector_text(lattice.basis.a()) + " " +
                                        vector_text(lattice.basis.b()) + ", energy " +
@@ -277,9 +277,9 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     std::string text;
     text += summary_line("sites", site_text(job, summary));
     if (job.duplicates == Duplicates::kDrop)
-        text += duplicates_line(job.dropped, std::max(job.points.cols(), job.fixed.cols()));
+        text += duplicates_line(job.dropped, std::max(job.in_plane().points.cols(), job.in_plane().fixed.cols()));
     text +=
-        summary_line("lattice", vector_text(job.lattice.a()) + " " + vector_text(job.lattice.b()));
+        summary_line("lattice", vector_text(job.in_plane().lattice.a()) + " " + vector_text(job.in_plane().lattice.b()));
     if (summary.seed != job.seed) text += summary_line("seed", seed_text(job, summary));
     text += summary_line("stop", std::string(stop_name(summary.run.stop)) + " after " +
                                      counted(summary.run.iterations, "iteration") + ", " +

@@ -54,7 +54,7 @@ JobMonitor::Target target_of(const Job& job) {
 std::optional<double> area_scale(const Job& job) {
     const Eigen::VectorXd& given = job.areas->given;
     if (given.size() == 0) return std::nullopt;
-    const double scale = job.lattice.area() / given.sum();
+    const double scale = job.in_plane().lattice.area() / given.sum();
     return std::isfinite(scale) && scale > 0 ? std::optional(scale) : std::nullopt;
 }
 
@@ -135,10 +135,10 @@ std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
     if (!job.density) return {};
     if (job.symmetry) {
         const plane::Density folded =
-            folded_density(*job.density, plane::PlaneGroup(*job.symmetry, job.lattice));
-        return densities_at(folded, job.lattice, wrapped_sites(cells, job.tile.origin));
+            folded_density(*job.density, plane::PlaneGroup(*job.symmetry, job.in_plane().lattice));
+        return densities_at(folded, job.in_plane().lattice, wrapped_sites(cells, job.tile.origin));
     }
-    return densities_at(*job.density, job.lattice, wrapped_sites(cells, job.tile.origin));
+    return densities_at(*job.density, job.in_plane().lattice, wrapped_sites(cells, job.tile.origin));
 }
 
 void add_materials(const Job& job, Computation& computation) {
@@ -168,7 +168,7 @@ Computation compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
     if (cells.run.stop == Stop::kCancelled) throw Cancelled{};
     cells.run.evaluations += start.evaluations;
     if (round) {
-        cells.elongation = plane::Elongation{metric, job.lattice};
+        cells.elongation = plane::Elongation{metric, job.in_plane().lattice};
         if (start.figures.pattern) map_back(metric, start.figures.pattern->lattice);
     }
     std::vector<double> densities = site_densities(job, cells);
@@ -221,14 +221,14 @@ std::string remedy(const Job& job, const std::string& dashes) {
         return "; optimise the sites: leave " + dashes + "max-iterations 0 out";
     }
     const std::string tolerance = "a smaller " + dashes + "tolerance";
-    if (job.points.cols() > 0) return "; try " + tolerance + ", or other sites";
+    if (job.n_given() > 0) return "; try " + tolerance + ", or other sites";
     return "; try another " + dashes + "seed or " + tolerance;
 }
 
 /// The advice of the command, which can retry.
 std::string remedy_with_retries(const Job& job) {
     const bool retries_help =
-        job.points.cols() == 0 && job.run.max_iterations != 0 && job.start != Start::kLattice;
+        job.n_given() == 0 && job.run.max_iterations != 0 && job.start != Start::kLattice;
     if (!retries_help) return remedy(job, "--");
     if (job.retries == 0) return remedy(job, "--") + ", or add --retry 20";
     return "; " + std::to_string(job.retries + 1) + " seeds from " + std::to_string(job.seed) +

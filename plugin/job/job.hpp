@@ -6,10 +6,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "io/bytes/output_error.hpp"
 #include "io/run_files/inclusion_reader.hpp"
+#include "io/space_formats.hpp"
 #include "io/tiles/file_options.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cells/material_choices.hpp"
@@ -20,6 +22,7 @@
 #include "mesher/plane/search/lattice_stability.hpp"
 #include "mesher/plane/symmetry/plane_group.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
+#include "mesher/space/geometry/lattice.hpp"
 #include "mesher/torus/coincident_sites.hpp"
 #include "mesher/torus/walls.hpp"
 #include "plugin/job/job_progress.hpp"
@@ -51,6 +54,20 @@ struct Aspect {
 /// The largest Job::short_edges: an edge of a regular hexagon has 0.62 h.
 inline constexpr double kLongestShortEdge = 0.5;
 
+/// The periods of a job and its sites, in the plane or in space.
+template <class Lattice>
+struct JobDomain {
+    Lattice lattice;
+    /// The sites, one a column, length units. If there are none, Job::n_sites sites begin at
+    /// Job::start.
+    typename Lattice::Points points = {};
+    /// Sites that stay where they are, length units; they are the first of the Job::n_sites, and
+    /// the others are drawn.
+    typename Lattice::Points fixed = {};
+};
+using PlaneDomain = JobDomain<plane::Lattice>;
+using SpaceDomain = JobDomain<space::Lattice>;
+
 /// The description of one run. The command's options and the options of the C interface both become
 /// a Job.
 ///
@@ -59,10 +76,23 @@ inline constexpr double kLongestShortEdge = 0.5;
 ///   job.outputs = {"tile.obj"};
 ///   const RunSummary summary = run_job(job, {});
 struct Job {
-    plane::Lattice lattice = plane::Lattice::rectangle(1, 1);
-    /// The sites, 2 x n, length units. If there are no columns, `n_sites` sites begin at `start`.
-    plane::Points points;
+    std::variant<PlaneDomain, SpaceDomain> domain = PlaneDomain{plane::Lattice::rectangle(1, 1)};
+    bool is_in_space() const { return std::holds_alternative<SpaceDomain>(domain); }
+    /// @pre the job is in the plane, or in space.
+    const PlaneDomain& in_plane() const { return std::get<PlaneDomain>(domain); }
+    PlaneDomain& in_plane() { return std::get<PlaneDomain>(domain); }
+    const SpaceDomain& in_space() const { return std::get<SpaceDomain>(domain); }
+    SpaceDomain& in_space() { return std::get<SpaceDomain>(domain); }
+
     int n_sites = 0;
+    int n_given() const {
+        return std::visit([](const auto& d) { return static_cast<int>(d.points.cols()); }, domain);
+    }
+    int n_fixed() const {
+        return std::visit([](const auto& d) { return static_cast<int>(d.fixed.cols()); }, domain);
+    }
+    /// The number of sites, given or wanted.
+    int n_wanted() const { return n_given() > 0 ? n_given() : n_sites; }
     /// `nullopt`: coarse for 1000 sites or more, with a symmetry 1000 for each asymmetric unit,
     /// that are optimised without a density, else random.
     std::optional<Start> start;
@@ -96,10 +126,6 @@ struct Job {
     /// across walls.
     Walls walls = Walls::kNone;
     WallCells wall_cells = WallCells::kWhole;
-    /// Sites that stay where they are, 2 x k, length units; they are the first k of the n_sites,
-    /// and the others are drawn. Excludes given sites, areas, symmetry, walls, inclusions, the
-    /// stability, and starts that are not random.
-    plane::Points fixed;
     /// What settle_duplicates() does with sites of `points`, or of `fixed`, that coincide with
     /// earlier ones.
     Duplicates duplicates = Duplicates::kRefuse;
@@ -107,6 +133,9 @@ struct Job {
     std::vector<int> lines;
     /// The sites that settle_duplicates() left out.
     DroppedSites dropped;
+    /// In space: the number of Delaunay tetrahedra of given sites to expect, which
+    /// settle_duplicates() sets; 0: as many as sites that are spread evenly have.
+    double n_tetrahedra = 0;
     /// Inclusions, of which each cell lies inside or outside; their tags are the phases of the
     /// cells. Some of the sites are placed in pairs along the outlines. Between walls they lie off
     /// these. Excludes given sites, other phases, areas, aspect, symmetry, the stability, and
@@ -139,6 +168,8 @@ struct Job {
     std::string command;
     /// The forms of files, for the formats that have several; without densities and materials.
     FileOptions file_options;
+    /// The same in space.
+    SpaceFileOptions space_files;
     /// Files to write. The extension selects the format; `.txt` files hold the sites.
     std::vector<std::string> outputs;
     /// Empty: no report.
@@ -157,15 +188,16 @@ struct JobSeconds {
 };
 
 /// The best exact lattice for the number of sites.
+template <class Pattern>
 struct PatternOutcome {
-    plane::LatticePattern lattice;
+    Pattern lattice;
     LatticeStability stability;
 };
 
 /// What is known of a start, besides the sites.
 struct StartFigures {
     /// Of the starts that look for it.
-    std::optional<PatternOutcome> pattern;
+    std::optional<PatternOutcome<plane::LatticePattern>> pattern;
     /// How the global search found its best state, in words; else empty.
     std::string found;
 };

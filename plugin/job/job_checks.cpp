@@ -24,9 +24,9 @@ constexpr double kUlps = 4;
 constexpr double kMostGrainSquares = 1 << 27;
 
 plane::Reduction reduce_repeated(const Job& job) {
-    reduce(job.lattice);
+    reduce(job.in_plane().lattice);
     try {
-        return reduce(job.lattice.repeated(job.tile.columns, job.tile.rows));
+        return reduce(job.in_plane().lattice.repeated(job.tile.columns, job.tile.rows));
     } catch (const InvalidInput& error) {
         throw InvalidInput("repeated " + std::to_string(job.tile.columns) + " x " +
                            std::to_string(job.tile.rows) + ": " + error.what());
@@ -40,7 +40,7 @@ void check_origin(const Job& job, const plane::Reduction& repeated, double n_sit
     for (const int entry : repeated.m) largest = std::max(largest, std::abs(double(entry)));
     const double rounding =
         kUlps * std::numeric_limits<double>::epsilon() * job.tile.origin.cwiseAbs().maxCoeff();
-    const double h = std::sqrt(job.lattice.area() / n_sites);
+    const double h = std::sqrt(job.in_plane().lattice.area() / n_sites);
     if (!(periods.cwiseAbs().maxCoeff() * largest < kLargestOffset) ||
         !(rounding <= plane::kSameVertex * h)) {
         throw InvalidInput(
@@ -50,11 +50,11 @@ void check_origin(const Job& job, const plane::Reduction& repeated, double n_sit
 
 void check_grains(const Job& job) {
     const double copies = double(job.tile.columns) * job.tile.rows;
-    const double n = std::max<double>(static_cast<double>(job.points.cols()), job.n_sites);
+    const double n = double(job.n_wanted());
     // A regular hexagon with edges cut into k parts has 2.6 k^2 squares over them.
     const double squares =
         job.tile.grain_size > 0
-            ? job.lattice.area() * copies / (job.tile.grain_size * job.tile.grain_size)
+            ? job.in_plane().lattice.area() * copies / (job.tile.grain_size * job.tile.grain_size)
             : 2.6 * n * copies * job.tile.grain_per_edge * job.tile.grain_per_edge;
     if (squares > kMostGrainSquares) {
         throw LimitExceeded("grains of that size are more than pcvt holds; take larger ones");
@@ -90,7 +90,7 @@ void check_stability(const Job& job, double n_sites) {
 void check_aspect(const Job& job) {
     if (!job.aspect) return;
     try {
-        reduce(metric_of(job).to_round(job.lattice));
+        reduce(metric_of(job).to_round(job.in_plane().lattice));
     } catch (const InvalidInput& error) {
         throw InvalidInput(std::string("elongated by the aspect: ") + error.what());
     }
@@ -98,11 +98,11 @@ void check_aspect(const Job& job) {
 
 void check_symmetry(const Job& job) {
     if (!job.symmetry) return;
-    const plane::PlaneGroup group(*job.symmetry, job.lattice);
+    const plane::PlaneGroup group(*job.symmetry, job.in_plane().lattice);
     distribute(group, special_positions(group), job.n_sites);
     if (!job.aspect) return;
     try {
-        const plane::PlaneGroup round(*job.symmetry, metric_of(job).to_round(job.lattice));
+        const plane::PlaneGroup round(*job.symmetry, metric_of(job).to_round(job.in_plane().lattice));
     } catch (const InvalidInput& error) {
         throw InvalidInput(std::string("elongated by the aspect: ") + error.what());
     }
@@ -128,7 +128,7 @@ void check_retries(const Job& job, const std::vector<JobFile>& files) {
 void check_job(const Job& job) {
     require_compatible(job);
     check_aspect(job);
-    const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
+    const double n = job.n_wanted();
     if (n < 1) throw InvalidInput("no sites; give at least one");
     check_symmetry(job);
     check_constraints(job);

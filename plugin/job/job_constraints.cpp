@@ -23,7 +23,7 @@ InclusionFile inclusions_of(const Job& job) {
     wanted.seed = job.seed;
     wanted.walls = job.walls;
     return {.name = "fibres",
-            .inclusions = circular_inclusions(random_circles(job.lattice, wanted), 1),
+            .inclusions = circular_inclusions(random_circles(job.in_plane().lattice, wanted), 1),
             .tags = {kFibreTag}};
 }
 
@@ -133,8 +133,8 @@ void set_tags(const InclusionFile& file, Tessellation& cells) {
 void check_constraints(const Job& job) {
     check_names(job);
     check_holes(job);
-    if (job.fixed.cols() > job.n_sites) {
-        throw InvalidInput("there are more fixed sites (" + std::to_string(job.fixed.cols()) +
+    if (job.in_plane().fixed.cols() > job.n_sites) {
+        throw InvalidInput("there are more fixed sites (" + std::to_string(job.in_plane().fixed.cols()) +
                            ") than sites (" + std::to_string(job.n_sites) + "); take more sites");
     }
     if (!job.has_inclusions()) return;
@@ -148,14 +148,14 @@ void check_constraints(const Job& job) {
         for (const plane::Inclusion& shape : job.inclusions->inclusions)
             fewest += fewest_seeds(shape.shape);
         require_sites(job, fewest);
-        return plane::InclusionSet(job.lattice, job.inclusions->inclusions, job.walls);
+        return plane::InclusionSet(job.in_plane().lattice, job.inclusions->inclusions, job.walls);
     });
 }
 
 Tessellation compute_cells_with_inclusions(const Job& job, const plane::CvtOptions& options) {
     const InclusionFile file = inclusions_of(job);
     plane::InterfaceCvt result = named(file, [&] {
-        plane::InclusionSet set(job.lattice, file.inclusions, job.walls);
+        plane::InclusionSet set(job.in_plane().lattice, file.inclusions, job.walls);
         if (job.tile.outline == plane::Outline::kBox && !job.tile.finds_origin)
             set.set_box(job.tile.origin);
         return compute_interface_cvt(set, job.n_sites, job.seed, options, job.wall_cells);

@@ -13,7 +13,7 @@ bool names_picture(const std::string& source);
 
 /// The density of a source: a .png file, or a formula, whose jumps along u and v are located.
 ///
-///   job.density = source_density("1 + 9 * exp(-((v - 0.5) / 0.1)^2)", {}, job.lattice);
+///   job.density = source_density("1 + 9 * exp(-((v - 0.5) / 0.1)^2)", {}, job.in_plane().lattice);
 ///
 /// @param range    densities of black and white pixels; `nullopt`: the default.
 /// @param lattice  defines the coordinates u and v.

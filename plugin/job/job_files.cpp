@@ -150,11 +150,11 @@ void check_constants(const Job& job, const std::vector<JobFile>& files,
 }  // namespace
 
 FormatRequest format_request(const Job& job, plane::MeshKind kind) {
-    return {.lattice = job.lattice.repeated(job.tile.columns, job.tile.rows),
+    return {.lattice = job.in_plane().lattice.repeated(job.tile.columns, job.tile.rows),
             .kind = kind,
             .outline = job.tile.outline,
             .short_edges = job.tile.short_edges,
-            .n_sites = job.points.cols() > 0 ? double(job.points.cols()) : job.n_sites,
+            .n_sites = double(job.n_wanted()),
             .n_periods = double(job.tile.columns) * job.tile.rows,
             .walls = job.walls,
             .has_holes = !job.holes.empty(),

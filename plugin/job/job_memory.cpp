@@ -93,7 +93,7 @@ constexpr double kGigabyte = 1e9;
 
 /// With the mirror images between walls.
 double n_sites(const Job& job) {
-    const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
+    const double n = job.n_wanted();
     return n * n_images(job.walls);
 }
 
@@ -102,7 +102,7 @@ double n_grain_triangles(const Job& job) {
     const double copies = double(job.tile.columns) * job.tile.rows;
     // Edges of the default size are h / 3; a regular hexagon has edges of 0.62 h.
     const double parts = job.tile.grain_per_edge > 0 ? 1.6 * job.tile.grain_per_edge : 3;
-    const double squares = job.tile.grain_size > 0 ? job.lattice.area() * copies /
+    const double squares = job.tile.grain_size > 0 ? job.in_plane().lattice.area() * copies /
                                                          (job.tile.grain_size * job.tile.grain_size)
                                                    : n_sites(job) * copies * parts * parts;
     return kTrianglesPerSquare * squares * (job.tile.order == 2 ? kOrder2 : 1);
@@ -180,7 +180,7 @@ void require_available(const std::string& what, double estimate, const char* rem
 }
 
 double estimated_memory(const Job& job, const std::vector<JobFile>& files) {
-    const double from_file = job.points.cols() > 0 ? kFromFile * n_sites(job) : 0;
+    const double from_file = job.n_given() > 0 ? kFromFile * n_sites(job) : 0;
     return kCommandBytes + kThreadBytes * job.run.n_threads + from_file +
            std::max(site_bytes(job), tile_bytes(job, files));
 }

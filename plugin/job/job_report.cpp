@@ -143,7 +143,7 @@ void append_materials(JsonWriter& json, const RunSummary& summary) {
 void append_run(JsonWriter& json, const Job& job, const RunSummary& summary) {
     json.member("version", version());
     json.member("sites", summary.n_sites);
-    append_lattice(json, "lattice", job.lattice);
+    append_lattice(json, "lattice", job.in_plane().lattice);
     json.member("seed", summary.seed);
     json.member("solver", solver_row(job.run.solver).word);
     json.member("start", start_name(job));

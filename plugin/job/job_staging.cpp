@@ -54,8 +54,8 @@ class FileEncoder {
         const plane::VoxelCounts counts =
             requested_voxels(format_request(job_, plane::MeshKind::kVoronoi));
         const plane::VoxelGrid grid = voxel_grid(
-            job_.lattice.repeated(job_.tile.columns, job_.tile.rows), job_.tile.origin, counts);
-        const plane::VoxelCells cells{.lattice = job_.lattice,
+            job_.in_plane().lattice.repeated(job_.tile.columns, job_.tile.rows), job_.tile.origin, counts);
+        const plane::VoxelCells cells{.lattice = job_.in_plane().lattice,
                                       .sites = sites(),
                                       .weights = site_weights(result_.cells),
                                       .metric = result_.cells.elongation

@@ -9,6 +9,7 @@
 #include "mesher/plane/density/density_survey.hpp"
 #include "mesher/plane/search/global_search.hpp"
 #include "mesher/plane/symmetry/folded_density.hpp"
+#include "mesher/space/delaunay/orbit_insertion.hpp"
 
 namespace pcvt {
 namespace {
@@ -21,15 +22,15 @@ plane::OrbitPlan plan_of(const Job& job, const plane::PlaneGroup& group) {
 JobStart random_start(const Job& job, const ProgressCallback& /*callback*/) {
     JobStart start;
     if (job.symmetry) {
-        const plane::PlaneGroup group(*job.symmetry, job.lattice);
+        const plane::PlaneGroup group(*job.symmetry, job.in_plane().lattice);
         std::optional<plane::Density> density;
         if (job.density) density = folded_density(*job.density, group);
         start.symmetric =
             numbered_by_columns(random_sites(group, plan_of(job, group), job.seed, density));
         return start;
     }
-    start.points = job.density ? graded_points(job.lattice, *job.density, job.n_sites, job.seed)
-                               : uniform_points(job.lattice, job.n_sites, job.seed);
+    start.points = job.density ? graded_points(job.in_plane().lattice, *job.density, job.n_sites, job.seed)
+                               : uniform_points(job.in_plane().lattice, job.n_sites, job.seed);
     return start;
 }
 
@@ -41,32 +42,32 @@ JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
     JobStart start;
     start.precondition_below = plane::kPreconditionAfterCoarse;
     if (job.symmetry) {
-        const plane::PlaneGroup group(*job.symmetry, job.lattice);
+        const plane::PlaneGroup group(*job.symmetry, job.in_plane().lattice);
         start.symmetric = symmetric_coarse_start(group, plan_of(job, group), options);
         start.cancelled = !start.symmetric;
         return start;
     }
-    start.points = coarse_start(job.lattice, job.n_sites, options);
+    start.points = coarse_start(job.in_plane().lattice, job.n_sites, options);
     start.cancelled = start.points.cols() == 0;
     return start;
 }
 
 JobStart lattice_start(const Job& job, const ProgressCallback& /*callback*/) {
-    const plane::LatticePattern pattern = best_lattice(job.lattice, job.n_sites);
+    const plane::LatticePattern pattern = best_lattice(job.in_plane().lattice, job.n_sites);
     JobStart start;
     start.points = pattern_points(pattern);
-    start.figures.pattern = PatternOutcome{pattern, lattice_stability(pattern)};
+    start.figures.pattern = PatternOutcome<plane::LatticePattern>{pattern, lattice_stability(pattern)};
     return start;
 }
 
 JobStart best_start(const Job& job, const ProgressCallback& callback) {
     const int budget = job.budget > 0 ? job.budget : plane::default_search_budget(job.n_sites);
     plane::SearchResult result = search_minimum(
-        job.lattice, job.n_sites,
+        job.in_plane().lattice, job.n_sites,
         {.seed = job.seed, .budget = budget, .n_threads = job.run.n_threads, .progress = callback});
     JobStart start;
     start.points = std::move(result.points);
-    start.figures.pattern = PatternOutcome{result.lattice, lattice_stability(result.lattice)};
+    start.figures.pattern = PatternOutcome<plane::LatticePattern>{result.lattice, lattice_stability(result.lattice)};
     start.figures.found = std::move(result.found);
     start.evaluations = result.evaluations;
     start.cancelled = result.cancelled;
@@ -111,69 +112,77 @@ constexpr int kFewestForCoarse = 1000;
 Eigen::VectorXd target_areas(const Job& job) {
     if (!job.areas) return {};
     const auto& [law, given, name] = *job.areas;
-    const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
+    const int n = job.n_wanted();
     return scaled_areas(given.size() > 0 ? given : draw_areas(law, n, job.seed), n,
-                        job.lattice.area());
+                        job.in_plane().lattice.area());
 }
 
 /// The fixed sites, then random ones.
 JobStart start_after_fixed_sites(const Job& job, const ProgressCallback& callback) {
     Job others = job;
-    others.n_sites -= static_cast<int>(job.fixed.cols());
+    others.n_sites -= static_cast<int>(job.in_plane().fixed.cols());
     JobStart start;
     if (others.n_sites > 0) start = random_start(others, callback);
     plane::Points points(2, job.n_sites);
-    points.leftCols(job.fixed.cols()) = job.fixed;
+    points.leftCols(job.in_plane().fixed.cols()) = job.in_plane().fixed;
     points.rightCols(others.n_sites) = start.points;
     start.points = std::move(points);
     start.numbering = plane::Numbering::kAsGiven;
     return start;
 }
 
-Start chosen_start(const Job& job) {
-    if (job.start) return *job.start;
-    const bool is_free = !job.has_inclusions() && job.fixed.cols() == 0;
-    if (!is_free) return Start::kRandom;
-    // Where a density jumps, the coarse cells miss detail, and the minima become higher. Coarse
-    // cells know nothing of prescribed areas.
-    const bool alike = !job.density && !job.areas;
-    // Where mirrors and centres bound an asymmetric unit with few sites, a coarse start may end
-    // higher.
-    const int order = job.symmetry ? plane::PlaneGroup(*job.symmetry, job.lattice).order() : 1;
-    const bool many = job.n_sites / order >= kFewestForCoarse;
-    const bool coarse = many && job.run.max_iterations != 0 && alike;
-    return coarse ? Start::kCoarse : Start::kRandom;
-}
+/// Sites in the domain, in which they may coincide.
+template <class Points, class Periods>
+struct CoincidenceDomain {
+    /// In the basis of `periods`; no column if a point is not finite or too far away.
+    Points coordinates;
+    /// The reduced period vectors as columns, length units.
+    Periods periods;
+    /// The mean spacing of the sites, length units.
+    double h;
+};
 
-/// The coordinates of points in the domain, in the basis of a reduced lattice; empty if a point is
-/// not finite or too far away.
-plane::Points domain_coordinates(const plane::Lattice& reduced, const plane::Points& points) {
-    plane::Points coordinates(2, points.cols());
+/// The coordinates of points in the domain of a reduced lattice, as CoincidenceDomain holds them.
+template <class Lattice>
+typename Lattice::Points domain_coordinates(const Lattice& reduced,
+                                            const typename Lattice::Points& points) {
+    typename Lattice::Points coordinates(Lattice::kDimension, points.cols());
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
-        const plane::Vec2 u = reduced.to_lattice(points.col(s));
-        if (!(u.cwiseAbs().maxCoeff() < kFarthestPeriod)) return plane::Points(2, 0);
-        coordinates.col(s) << plane::wrap(u.x()).fraction, plane::wrap(u.y()).fraction;
+        const typename Lattice::Point u = reduced.to_lattice(points.col(s));
+        if (!(u.cwiseAbs().maxCoeff() < kFarthestPeriod)) {
+            return typename Lattice::Points(Lattice::kDimension, 0);
+        }
+        coordinates.col(s) = Lattice::wrapped(u);
     }
     return coordinates;
 }
 
-/// The sites that coincide with earlier ones in the metric and between the walls of the job.
-std::vector<CoincidentSite> duplicates_of(const Job& job, const plane::Points& given,
-                                          double n_sites) {
+/// In the metric and between the walls of the job.
+CoincidenceDomain<plane::Points, Eigen::Matrix2d> coincidence_domain(const Job& job,
+                                                                     const PlaneDomain& domain,
+                                                                     const plane::Points& given,
+                                                                     double n_sites) {
     const plane::Metric metric = metric_of(job);
     // Sites on opposite walls do not coincide.
-    const bool has_walls = job.walls != Walls::kNone && is_upright(job.lattice);
+    const bool has_walls = job.walls != Walls::kNone && is_upright(domain.lattice);
     const plane::Lattice lattice =
-        metric.to_round(has_walls ? mirrored_lattice(job.lattice, job.walls) : job.lattice);
+        metric.to_round(has_walls ? mirrored_lattice(domain.lattice, job.walls) : domain.lattice);
     const plane::Lattice reduced = reduce(lattice).reduced;
-    const plane::Points coordinates = domain_coordinates(reduced, metric.to_round(given));
-    if (coordinates.cols() == 0) return {};
     Eigen::Matrix2d periods;
     periods << reduced.a(), reduced.b();
-    const double h = std::sqrt(metric.to_round(job.lattice).area() / n_sites);
-    return job.duplicates == Duplicates::kDrop
-               ? sites_to_drop(coordinates, periods, h)
-               : coincident_sites(coordinates, periods, kCoincident * h);
+    return {domain_coordinates(reduced, metric.to_round(given)), periods,
+            std::sqrt(metric.to_round(domain.lattice).area() / n_sites)};
+}
+
+CoincidenceDomain<space::Points, Eigen::Matrix3d> coincidence_domain(const Job& /*job*/,
+                                                                     const SpaceDomain& domain,
+                                                                     const space::Points& given,
+                                                                     double n_sites) {
+    const space::Lattice reduced = reduce(domain.lattice).reduced;
+    Eigen::Matrix3d periods;
+    periods << reduced.a(), reduced.b(), reduced.c();
+    return {domain_coordinates(reduced, given), periods,
+            domain.lattice.spacing(static_cast<int>(n_sites))};
 }
 
 /// Keeps entries of one a site.
@@ -185,26 +194,42 @@ void keep_entries(const std::vector<SiteId>& kept, std::size_t n, Entries& entri
     entries = std::move(left);
 }
 
-}  // namespace
-
-void settle_duplicates(Job& job) {
-    plane::Points& given = job.points.cols() > 0 ? job.points : job.fixed;
-    if (given.cols() < 2) return;
+/// Refuses or leaves out the sites of a job that coincide with earlier ones.
+/// @returns whether the sites are distinct now.
+template <class Domain>
+bool settle(Job& job, Domain& domain) {
+    auto& given = domain.points.cols() > 0 ? domain.points : domain.fixed;
+    if (given.cols() < 2) return false;
     // check_constraints() refuses more fixed sites than sites, and its message comes first.
-    if (job.duplicates == Duplicates::kRefuse && job.fixed.cols() > job.n_sites) return;
+    if (job.duplicates == Duplicates::kRefuse && domain.fixed.cols() > job.n_sites) return false;
     const double n_sites = std::max(static_cast<double>(given.cols()), double(job.n_sites));
-    std::vector<CoincidentSite> pairs = duplicates_of(job, given, n_sites);
-    if (pairs.empty()) return;
+    const auto [coordinates, periods, h] = coincidence_domain(job, domain, given, n_sites);
+    if (coordinates.cols() == 0) return false;
+    std::vector<CoincidentSite> pairs =
+        job.duplicates == Duplicates::kDrop ? sites_to_drop(coordinates, periods, h)
+                                            : coincident_sites(coordinates, periods, kCoincident * h);
+    if (pairs.empty()) return true;
     if (job.duplicates == Duplicates::kRefuse) throw DuplicateSites(std::move(pairs));
     const auto n = static_cast<std::size_t>(given.cols());
     const std::vector<SiteId> kept = kept_sites(static_cast<int>(n), pairs);
     job.dropped = dropped_sites(std::move(pairs), job.lines);
     keep_entries(kept, n, job.lines);
-    given = plane::Points(given(Eigen::all, kept));
-    if (job.points.cols() == 0) return;
+    given = std::decay_t<decltype(given)>(given(Eigen::all, kept));
+    if (domain.points.cols() == 0) return true;
     if (job.n_sites > 0) job.n_sites = static_cast<int>(kept.size());
     if (job.areas) keep_entries(kept, n, job.areas->given);
     keep_entries(kept, n, job.materials.orientations);
+    return true;
+}
+
+}  // namespace
+
+void settle_duplicates(Job& job) {
+    const bool are_distinct =
+        std::visit([&](auto& domain) { return settle(job, domain); }, job.domain);
+    if (!are_distinct || !job.is_in_space()) return;
+    job.n_tetrahedra = space::expected_tetrahedra(
+        space::Sites(job.in_space().lattice, job.in_space().points));
 }
 
 std::span<const StartRow> start_rows() { return kStarts; }
@@ -216,22 +241,37 @@ JobStart job_start(const Job& job, const ProgressCallback& callback) {
     JobStart start;
     if (job.has_inclusions()) {
         start.numbering = plane::Numbering::kAsGiven;
-    } else if (job.fixed.cols() > 0) {
+    } else if (job.in_plane().fixed.cols() > 0) {
         start = start_after_fixed_sites(job, callback);
-    } else if (job.points.cols() > 0) {
-        start.points = job.points;
+    } else if (job.n_given() > 0) {
+        start.points = job.in_plane().points;
     } else {
         start = start_row(chosen_start(job)).make(job, callback);
     }
     // Given areas belong to random places: numbers by columns would arrange sorted areas.
     const bool given = job.areas && job.areas->given.size() > 0;
-    if (job.points.cols() > 0 || given) start.numbering = plane::Numbering::kAsGiven;
+    if (job.n_given() > 0 || given) start.numbering = plane::Numbering::kAsGiven;
     start.areas = std::move(areas);
     return start;
 }
 
+Start chosen_start(const Job& job) {
+    if (job.start) return *job.start;
+    const bool is_free = !job.has_inclusions() && job.n_fixed() == 0;
+    if (!is_free) return Start::kRandom;
+    // Where a density jumps, the coarse cells miss detail, and the minima become higher. Coarse
+    // cells know nothing of prescribed areas.
+    const bool alike = !job.density && !job.areas;
+    // Where mirrors and centres bound an asymmetric unit with few sites, a coarse start may end
+    // higher.
+    const int order = job.symmetry ? plane::PlaneGroup(*job.symmetry, job.in_plane().lattice).order() : 1;
+    const bool many = job.n_sites / order >= kFewestForCoarse;
+    const bool coarse = many && job.run.max_iterations != 0 && alike;
+    return coarse ? Start::kCoarse : Start::kRandom;
+}
+
 const char* start_name(const Job& job) {
-    return job.points.cols() > 0 ? "file" : start_row(chosen_start(job)).word;
+    return job.n_given() > 0 ? "file" : start_row(chosen_start(job)).word;
 }
 
 }  // namespace pcvt

@@ -67,6 +67,10 @@ void settle_duplicates(Job& job);
 /// @throws InvalidInput as scaled_areas does, before any computation.
 JobStart job_start(const Job& job, const ProgressCallback& callback);
 
+/// The start of a job whose sites are not given: what it states, else coarse from 1000 sites on
+/// that are optimised and alike, else random.
+Start chosen_start(const Job& job);
+
 /// The start of a job in reports: "file" if the user gave the sites, else its word.
 const char* start_name(const Job& job);
 

@@ -38,7 +38,7 @@ Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
     options.precondition_below = start.precondition_below;
     options.numbering = start.numbering;
     options.density = job.density;
-    options.fixed.resize(static_cast<std::size_t>(job.fixed.cols()));
+    options.fixed.resize(static_cast<std::size_t>(job.in_plane().fixed.cols()));
     std::iota(options.fixed.begin(), options.fixed.end(), 0);
     options.run.progress = [&, first = true](const Progress& progress) mutable {
         // The first call comes once the first triangulation is built and evaluated.
@@ -47,7 +47,7 @@ Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
     };
     if (job.has_inclusions()) return compute_cells_with_inclusions(job, options);
     if (job.walls != Walls::kNone) {
-        plane::WalledCvt walled = compute_walled_cvt(job.lattice, job.walls, job.wall_cells,
+        plane::WalledCvt walled = compute_walled_cvt(job.in_plane().lattice, job.walls, job.wall_cells,
                                                      std::move(start.points), options);
         return {.delaunay = std::move(walled.torus.delaunay),
                 .walled = walled.domain,
@@ -57,7 +57,7 @@ Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
     }
     plane::CvtResult cvt = start.symmetric
                                ? compute_cvt(*start.symmetric, options)
-                               : compute_cvt(job.lattice, std::move(start.points), options);
+                               : compute_cvt(job.in_plane().lattice, std::move(start.points), options);
     return {.delaunay = std::move(cvt.delaunay),
             .run = cvt.run,
             .counts = cvt.counts,
@@ -83,14 +83,14 @@ Tessellation compute_power_cells(const Job& job, JobStart& start, JobMonitor& mo
     };
     if (job.walls != Walls::kNone) {
         plane::WalledAreaCvt walled = compute_walled_area_cvt(
-            job.lattice, job.walls, job.wall_cells, std::move(start.points), options);
+            job.in_plane().lattice, job.walls, job.wall_cells, std::move(start.points), options);
         return {.delaunay = std::move(walled.torus.delaunay),
                 .walled = walled.domain,
                 .run = walled.torus.run,
                 .counts = walled.torus.counts,
                 .areas = walled.torus.areas};
     }
-    plane::AreaCvtResult result = compute_area_cvt(job.lattice, start.points, options);
+    plane::AreaCvtResult result = compute_area_cvt(job.in_plane().lattice, start.points, options);
     return {.delaunay = std::move(result.delaunay),
             .run = result.run,
             .counts = result.counts,
@@ -145,10 +145,10 @@ plane::Metric metric_of(const Job& job) {
 
 Job in_round_space(const Job& job, const plane::Metric& metric) {
     Job round = job;
-    round.lattice = metric.to_round(job.lattice);
-    round.points = metric.to_round(job.points);
-    round.fixed = metric.to_round(job.fixed);
-    if (job.density) round.density = fixed_to_lattice(*job.density, job.lattice);
+    round.in_plane().lattice = metric.to_round(job.in_plane().lattice);
+    round.in_plane().points = metric.to_round(job.in_plane().points);
+    round.in_plane().fixed = metric.to_round(job.in_plane().fixed);
+    if (job.density) round.density = fixed_to_lattice(*job.density, job.in_plane().lattice);
     return round;
 }
 
@@ -211,7 +211,7 @@ plane::Points progress_sites(const Job& job, const Progress& progress) {
     const plane::Metric metric = metric_of(job);
     plane::Points points = (*progress.positions)();
     for (auto p : points.colwise()) p = metric.from_round(p);
-    return wrapped(std::move(points), job.lattice, job.tile.origin, job.walls);
+    return wrapped(std::move(points), job.in_plane().lattice, job.tile.origin, job.walls);
 }
 
 double energy_bound(const Tessellation& tessellation) {

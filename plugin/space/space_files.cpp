@@ -17,10 +17,10 @@ namespace pcvt {
 namespace {
 
 /// Requires that 32-bit floats hold the lengths of the tile, of a job that knows its sites.
-void require_precision(const SpaceJob& job, const std::string& path) {
-    const auto n = std::max<double>(job.n_sites, static_cast<double>(job.points.cols()));
+void require_precision(const Job& job, const std::string& path) {
+    const auto n = double(job.n_wanted());
     if (n < 1) return;
-    const space::Lattice& lattice = job.lattice;
+    const space::Lattice& lattice = job.in_space().lattice;
     double longest = 0;
     for (const space::Vec3& period : lattice.periods()) longest = std::max(longest, period.norm());
     try {
@@ -32,8 +32,8 @@ void require_precision(const SpaceJob& job, const std::string& path) {
     }
 }
 
-SpaceJobFile plan_file(std::string path, const SpaceJob& job) {
-    const SpaceFileOptions& options = job.file_options;
+SpaceJobFile plan_file(std::string path, const Job& job) {
+    const SpaceFileOptions& options = job.space_files;
     if (path.ends_with(".foam/")) path.pop_back();
     const SpaceFormat* const format = find_space_format(path);
     if (format == nullptr) {
@@ -52,7 +52,7 @@ SpaceJobFile plan_file(std::string path, const SpaceJob& job) {
         throw InvalidInput("-o " + path + ": the format holds no tetrahedra; take " +
                            tetrahedra_extensions() + ", or write the cells in a run of their own");
     }
-    if (job.short_edges > 0 && !format->takes_short_edges(options)) {
+    if (job.tile.short_edges > 0 && !format->takes_short_edges(options)) {
         throw InvalidInput("-o " + path +
                            ": such files cannot say that short edges were removed; take " +
                            short_edges_extensions() + " with the cells");
@@ -94,7 +94,7 @@ void stage_file(const SpaceJobFile& file, const SpaceContent& content,
 
 }  // namespace
 
-std::vector<SpaceJobFile> plan_space_files(const SpaceJob& job) {
+std::vector<SpaceJobFile> plan_space_files(const Job& job) {
     std::vector<SpaceJobFile> files;
     DistinctPaths paths;
     for (const std::string& path : job.inputs) paths.add_input(path);
@@ -106,7 +106,7 @@ std::vector<SpaceJobFile> plan_space_files(const SpaceJob& job) {
     return files;
 }
 
-std::vector<std::string> require_space_files_writable(const SpaceJob& job,
+std::vector<std::string> require_space_files_writable(const Job& job,
                                                       const std::vector<SpaceJobFile>& files) {
     std::vector<std::string> all;
     for (const SpaceJobFile& file : files) {

@@ -34,12 +34,12 @@ struct SpaceJobFile {
 /// @throws InvalidInput for a format that holds no volumes, for one that holds no tetrahedra where
 /// the
 ///         job names these, and for two equal paths.
-std::vector<SpaceJobFile> plan_space_files(const SpaceJob& job);
+std::vector<SpaceJobFile> plan_space_files(const Job& job);
 
 /// Requires that all files can be written. Completes or removes the unfinished sets of earlier
 /// runs, and returns one line for each set.
 /// @throws OutputError
-std::vector<std::string> require_space_files_writable(const SpaceJob& job,
+std::vector<std::string> require_space_files_writable(const Job& job,
                                                       const std::vector<SpaceJobFile>& files);
 
 /// Encodes the files, proves their bytes and lets these reach the disk under hidden names.

@@ -15,6 +15,7 @@
 #include "mesher/space/proof/tetrahedral_proof.hpp"
 #include "plugin/job/job_memory.hpp"
 #include "plugin/job/job_staging.hpp"
+#include "plugin/job/job_start.hpp"
 #include "plugin/space/space_files.hpp"
 #include "plugin/space/space_memory.hpp"
 #include "plugin/space/space_report.hpp"
@@ -25,16 +26,13 @@ namespace {
 /// A message about memory names the tetrahedra where there are this many times as usual.
 constexpr double kManyTetrahedra = 3;
 
-/// For fewer sites the time of random starts does not matter.
-constexpr int kFewestForCoarse = 1000;
-
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-JobMonitor::Target target_of(const SpaceJob& job) {
+JobMonitor::Target target_of(const Job& job) {
     JobMonitor::Target target;
     target.tolerance = job.run.tolerance;
     target.max_iterations = job.run.max_iterations;
@@ -47,8 +45,8 @@ Eigen::Matrix3d period_matrix(const space::Lattice& lattice) {
     return period;
 }
 
-space::Points coarse_points(const SpaceJob& job, JobMonitor& monitor) {
-    space::Points points = space::coarse_start(job.lattice, job.n_sites,
+space::Points coarse_points(const Job& job, JobMonitor& monitor) {
+    space::Points points = space::coarse_start(job.in_space().lattice, job.n_sites,
                                                {{.seed = job.seed,
                                                  .n_threads = job.run.n_threads,
                                                  .progress = [&](const Progress& progress) {
@@ -63,17 +61,16 @@ void check_short_edges(double length) {
     throw InvalidInput("the length under which edges are removed is not between 0 and 0.1 h");
 }
 
-void check_stability(const SpaceJob& job) {
-    const auto n = std::max(job.n_sites, static_cast<int>(job.points.cols()));
-    if (!job.stability || n <= space::kMostSitesForMinimum) return;
+void check_stability(const Job& job) {
+    if (!job.stability || job.n_wanted() <= space::kMostSitesForMinimum) return;
     throw InvalidInput("the stability is known of at most " +
                        std::to_string(space::kMostSitesForMinimum) +
                        " sites in space; leave it out, or take fewer sites");
 }
 
 /// The subject and the verb of a message about memory.
-std::string run_takes(const SpaceJob& job) {
-    const auto n = static_cast<double>(job.points.cols());
+std::string run_takes(const Job& job) {
+    const auto n = static_cast<double>(job.in_space().points.cols());
     if (!(job.n_tetrahedra > kManyTetrahedra * space::kTetrahedraPerSite * n))
         return "the run takes";
     return "the sites have about " + std::to_string(std::llround(job.n_tetrahedra / n)) +
@@ -81,32 +78,32 @@ std::string run_takes(const SpaceJob& job) {
 }
 
 /// The best lattice and its stability, if the run begins there.
-std::optional<SpacePatternOutcome> find_pattern(const SpaceJob& job) {
-    if (job.points.cols() > 0 || chosen_start(job) != Start::kLattice) return std::nullopt;
+std::optional<PatternOutcome<space::LatticePattern>> find_pattern(const Job& job) {
+    if (job.n_given() > 0 || chosen_start(job) != Start::kLattice) return std::nullopt;
     const space::LatticePattern pattern =
-        space::best_lattice(period_matrix(job.lattice), job.n_sites);
-    return SpacePatternOutcome{pattern, space::lattice_stability(pattern)};
+        space::best_lattice(period_matrix(job.in_space().lattice), job.n_sites);
+    return PatternOutcome<space::LatticePattern>{pattern, space::lattice_stability(pattern)};
 }
 
-space::Points start_points(const SpaceJob& job, const std::optional<SpacePatternOutcome>& pattern,
+space::Points start_points(const Job& job, const std::optional<PatternOutcome<space::LatticePattern>>& pattern,
                            JobMonitor& monitor) {
-    if (job.points.cols() > 0) return job.points;
+    if (job.n_given() > 0) return job.in_space().points;
     if (pattern) return pattern_points(pattern->lattice);
     if (chosen_start(job) == Start::kCoarse) return coarse_points(job, monitor);
-    return uniform_points(job.lattice, job.n_sites, job.seed);
+    return uniform_points(job.in_space().lattice, job.n_sites, job.seed);
 }
 
-space::CvtResult optimise(const SpaceJob& job, const space::Points& points, JobMonitor& monitor) {
+space::CvtResult optimise(const Job& job, const space::Points& points, JobMonitor& monitor) {
     space::CvtOptions options{job.run};
     options.run.progress = [&](const Progress& progress) { return monitor.iteration(progress); };
-    space::CvtResult result = space::compute_cvt(job.lattice, points, options);
+    space::CvtResult result = space::compute_cvt(job.in_space().lattice, points, options);
     if (result.run.stop == Stop::kCancelled) throw Cancelled{};
     return result;
 }
 
-SpaceComputation compute(const SpaceJob& job, JobMonitor& monitor) {
+SpaceComputation compute(const Job& job, JobMonitor& monitor) {
     const Clock::time_point begin = Clock::now();
-    std::optional<SpacePatternOutcome> pattern = find_pattern(job);
+    std::optional<PatternOutcome<space::LatticePattern>> pattern = find_pattern(job);
     SpaceComputation computation{.cvt =
                                      optimise(job, start_points(job, pattern, monitor), monitor)};
     computation.pattern = std::move(pattern);
@@ -160,11 +157,11 @@ std::optional<space::TetrahedralMesh> build_tetrahedra(const space::PeriodicDela
 }
 
 /// Requires that the boundary is a closed surface, if a file shows it.
-void require_closed_boundary(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
+void require_closed_boundary(const Job& job, const std::vector<SpaceJobFile>& files,
                              const space::PolyhedralProof& proof) {
     if (proof.boundary_is_manifold) return;
     for (const SpaceJobFile& file : files) {
-        if (!file.format->shows_boundary(job.file_options)) continue;
+        if (!file.format->shows_boundary(job.space_files)) continue;
         throw InvalidInput("-o " + file.path +
                            ": the boundary of this tile touches itself, so that it is no surface; "
                            "take the surfaces of the cells as .obj, .ply or .glb, or other sites");
@@ -172,7 +169,7 @@ void require_closed_boundary(const SpaceJob& job, const std::vector<SpaceJobFile
 }
 
 /// Makes the tile and the files of a computed job. The commit of the files cannot be cancelled.
-SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
+SpaceSummary finish(const Job& job, const std::vector<SpaceJobFile>& files,
                     const SpaceComputation& computation, const SpaceTileSource& make_tile,
                     JobMonitor& monitor) {
     const Clock::time_point begin = Clock::now();
@@ -180,11 +177,11 @@ SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
     OutputSet outputs;
     SpaceSummary summary;
     summary.n_sites = delaunay.sites.n_sites();
-    summary.energy_bound = space::body_centred_energy(job.lattice.volume(), summary.n_sites);
+    summary.energy_bound = space::body_centred_energy(job.in_space().lattice.volume(), summary.n_sites);
     for (const SpaceJobFile& file : files) summary.files.push_back(file.path);
     monitor.watch([&] {
         std::optional<space::TetrahedralMesh> tetrahedra =
-            build_tetrahedra(delaunay, files, job.file_options, monitor);
+            build_tetrahedra(delaunay, files, job.space_files, monitor);
         const ProvedSpaceTile& proved = make_tile(monitor);
         space::Points points = wrapped_sites(computation);
         const SpaceContent content{proved.tile, std::move(points), std::move(tetrahedra)};
@@ -192,7 +189,7 @@ SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
         summary.face_counts = proved.face_counts;
         summary.n_removed_edges = proved.n_removed_edges;
         require_closed_boundary(job, files, summary.proof);
-        summary.refused = stage_space_files(files, content, job.file_options, monitor, outputs);
+        summary.refused = stage_space_files(files, content, job.space_files, monitor, outputs);
         for (const RefusedFile& file : summary.refused) std::erase(summary.files, file.path);
         summary.run = computation.cvt.run;
         summary.pattern = computation.pattern;
@@ -209,7 +206,7 @@ SpaceSummary finish(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
     return summary;
 }
 
-SpaceSummary run(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
+SpaceSummary run(const Job& job, const std::vector<SpaceJobFile>& files,
                  const JobCallback& callback) {
     JobMonitor monitor(callback, target_of(job));
     const SpaceComputation computation = compute(job, monitor);
@@ -220,48 +217,10 @@ SpaceSummary run(const SpaceJob& job, const std::vector<SpaceJobFile>& files,
     return finish(job, files, computation, make_tile, monitor);
 }
 
-/// The coordinates of points in the domain; empty if a point is not finite or too far away.
-space::Points domain_coordinates(const space::Lattice& reduced, const space::Points& points) {
-    space::Points coordinates(3, points.cols());
-    for (Eigen::Index s = 0; s < points.cols(); ++s) {
-        const space::Vec3 u = reduced.to_lattice(points.col(s));
-        if (!(u.cwiseAbs().maxCoeff() < kFarthestPeriod)) return space::Points(3, 0);
-        coordinates.col(s) = space::wrap(u).fraction;
-    }
-    return coordinates;
-}
-
 }  // namespace
 
-void settle_duplicates(SpaceJob& job) {
-    const auto n = static_cast<int>(job.points.cols());
-    if (n < 2) return;
-    const space::Lattice reduced = reduce(job.lattice).reduced;
-    const space::Points coordinates = domain_coordinates(reduced, job.points);
-    if (coordinates.cols() == 0) return;
-    const Eigen::Matrix3d periods = period_matrix(reduced);
-    const double h = portable_cbrt(job.lattice.volume() / n);
-    if (job.duplicates == Duplicates::kRefuse) {
-        auto pairs = coincident_sites(coordinates, periods, kCoincident * h);
-        if (!pairs.empty()) throw DuplicateSites(std::move(pairs));
-        job.n_tetrahedra = expected_tetrahedra(space::Sites(job.lattice, job.points));
-        return;
-    }
-    job.dropped = dropped_sites(sites_to_drop(coordinates, periods, h), job.lines);
-    const std::vector<SiteId> kept = kept_sites(n, job.dropped.sites);
-    job.points = space::Points(job.points(Eigen::all, kept));
-    if (job.n_sites > 0) job.n_sites = static_cast<int>(kept.size());
-    job.n_tetrahedra = expected_tetrahedra(space::Sites(job.lattice, job.points));
-}
-
-Start chosen_start(const SpaceJob& job) {
-    const bool coarse = job.n_sites >= kFewestForCoarse && job.run.max_iterations != 0;
-    return job.start.value_or(coarse ? Start::kCoarse : Start::kRandom);
-}
-
-double energy_bound(const SpaceJob& job) {
-    const auto n_given = static_cast<int>(job.points.cols());
-    return space::body_centred_energy(job.lattice.volume(), n_given > 0 ? n_given : job.n_sites);
+double energy_bound(const Job& job) {
+    return space::body_centred_energy(job.in_space().lattice.volume(), job.n_wanted());
 }
 
 std::optional<Minimum> minimum_of(const SpaceComputation& computation) {
@@ -278,9 +237,9 @@ space::Points wrapped_sites(const SpaceComputation& computation) {
     return points;
 }
 
-ProvedSpaceTile prove_space_tile(const SpaceJob& job, const SpaceComputation& computation,
+ProvedSpaceTile prove_space_tile(const Job& job, const SpaceComputation& computation,
                                  JobMonitor& monitor) {
-    ProvedSpaceTile proved = build_tile(computation.cvt.delaunay, job.short_edges, monitor);
+    ProvedSpaceTile proved = build_tile(computation.cvt.delaunay, job.tile.short_edges, monitor);
     const SpaceTile& tile = proved.tile;
     monitor.begin(Phase::kProving, "proving the cells");
     try {
@@ -296,9 +255,9 @@ ProvedSpaceTile prove_space_tile(const SpaceJob& job, const SpaceComputation& co
     return proved;
 }
 
-std::optional<SpaceComputation> compute_space_job(const SpaceJob& job,
+std::optional<SpaceComputation> compute_space_job(const Job& job,
                                                   const JobCallback& callback) {
-    check_short_edges(job.short_edges);
+    check_short_edges(job.tile.short_edges);
     require_available(run_takes(job), estimated_memory(job, {}), "take fewer sites");
     JobMonitor monitor(callback, target_of(job));
     try {
@@ -308,7 +267,7 @@ std::optional<SpaceComputation> compute_space_job(const SpaceJob& job,
     }
 }
 
-SpaceSummary write_space_job(const SpaceJob& job, const SpaceComputation& computation,
+SpaceSummary write_space_job(const Job& job, const SpaceComputation& computation,
                              const SpaceTileSource& tile, const JobCallback& callback) {
     const std::vector<SpaceJobFile> files = plan_space_files(job);
     require_space_files_writable(job, files);
@@ -323,10 +282,10 @@ SpaceSummary write_space_job(const SpaceJob& job, const SpaceComputation& comput
     }
 }
 
-SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback) {
+SpaceSummary run_space_job(const Job& job, const JobCallback& callback) {
     const Clock::time_point begin = Clock::now();
     check_stability(job);
-    check_short_edges(job.short_edges);
+    check_short_edges(job.tile.short_edges);
     const std::vector<SpaceJobFile> files = plan_space_files(job);
     const std::vector<std::string> recovered = require_space_files_writable(job, files);
     require_available(run_takes(job), estimated_memory(job, files), kFewerOutputs);

@@ -20,31 +20,31 @@ constexpr double kRemovingEdges = 7600;
 constexpr double kRemovedEdges = 1200;
 
 /// Bytes a site of the largest part of a run with these files.
-double largest_bytes(const SpaceJob& job, const std::vector<SpaceJobFile>& files) {
-    const double left = job.short_edges > 0 ? kRemovedEdges : 0;
-    double a_site = job.short_edges > 0 ? kRemovingEdges : kBuilding;
+double largest_bytes(const Job& job, const std::vector<SpaceJobFile>& files) {
+    const double left = job.tile.short_edges > 0 ? kRemovedEdges : 0;
+    double a_site = job.tile.short_edges > 0 ? kRemovingEdges : kBuilding;
     double held = 0;
     for (const SpaceJobFile& file : files) {
         a_site = std::max(a_site, file.format->memory + left);
-        if (file.format->shows_tetrahedra(job.file_options)) held = kHeldTetrahedra;
+        if (file.format->shows_tetrahedra(job.space_files)) held = kHeldTetrahedra;
     }
     return a_site + held;
 }
 
 }  // namespace
 
-double estimated_memory(const SpaceJob& job, const std::vector<SpaceJobFile>& files) {
-    const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
+double estimated_memory(const Job& job, const std::vector<SpaceJobFile>& files) {
+    const double n = job.n_wanted();
     // The bytes a site are those of sites that are spread evenly.
     const double n_even = std::max(n, job.n_tetrahedra / space::kTetrahedraPerSite);
     return kCommandBytes + kThreadBytes * job.run.n_threads + n_even * largest_bytes(job, files);
 }
 
-double memory_of_cells(const SpaceJob& job, int n_sites) {
+double memory_of_cells(const Job& job, int n_sites) {
     return memory_to_write(job, n_sites, {});
 }
 
-double memory_to_write(const SpaceJob& job, int n_sites, const std::vector<SpaceJobFile>& files) {
+double memory_to_write(const Job& job, int n_sites, const std::vector<SpaceJobFile>& files) {
     return n_sites * (largest_bytes(job, files) - kComputed);
 }
 

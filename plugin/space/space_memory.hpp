@@ -11,12 +11,12 @@ namespace pcvt {
 ///
 /// Example usage:
 ///     const double bytes = estimated_memory(job, plan_space_files(job));
-double estimated_memory(const SpaceJob& job, const std::vector<SpaceJobFile>& files);
+double estimated_memory(const Job& job, const std::vector<SpaceJobFile>& files);
 
 /// The memory that cells, or files with their cells, take beside a SpaceComputation that is in
 /// memory: the same figures less that of the sites, their triangulation and the command.
 /// @param job  its short edges and its form of files.
-double memory_of_cells(const SpaceJob& job, int n_sites);
-double memory_to_write(const SpaceJob& job, int n_sites, const std::vector<SpaceJobFile>& files);
+double memory_of_cells(const Job& job, int n_sites);
+double memory_to_write(const Job& job, int n_sites, const std::vector<SpaceJobFile>& files);
 
 }  // namespace pcvt

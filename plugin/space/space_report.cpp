@@ -9,11 +9,7 @@
 namespace pcvt {
 namespace {
 
-const char* start_name(const SpaceJob& job) {
-    return job.points.cols() > 0 ? "file" : start_row(chosen_start(job)).word;
-}
-
-void append_pattern(JsonWriter& json, const std::optional<SpacePatternOutcome>& pattern) {
+void append_pattern(JsonWriter& json, const std::optional<PatternOutcome<space::LatticePattern>>& pattern) {
     if (!pattern) return;
     const auto& [lattice, stability] = *pattern;
     json.object("pattern", [&] {
@@ -26,14 +22,14 @@ void append_pattern(JsonWriter& json, const std::optional<SpacePatternOutcome>& 
 
 }  // namespace
 
-std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary,
+std::string encode_space_report(const Job& job, const SpaceSummary& summary,
                                 double seconds_optimising, double seconds_writing) {
     std::string text;
     JsonWriter json(text);
     json.begin_object(kJsonLines);
     json.member("version", version());
     json.member("sites", summary.n_sites);
-    json.member("lattice", job.lattice.periods());
+    json.member("lattice", job.in_space().lattice.periods());
     json.member("seed", job.seed);
     json.member("solver", solver_row(job.run.solver).word);
     json.member("start", start_name(job));

@@ -59,10 +59,10 @@ Job some_job(std::uint64_t seed) {
     std::mt19937_64 random(seed);
     Job job;
     job.seed = seed;
-    job.lattice = testing::random_lattice(random);
+    job.in_plane().lattice = testing::random_lattice(random);
     job.n_sites = 1 + below(random, below(random, 3) == 0 ? 8 : 60);
     job.run.max_iterations = std::array{0, 1, 4}[below(random, 3)];
-    if (below(random, 3) == 0) job.points = some_sites(random, job.lattice, job.n_sites);
+    if (below(random, 3) == 0) job.in_plane().points = some_sites(random, job.in_plane().lattice, job.n_sites);
     const int kind = below(random, 3);
     if (kind != 0) job.areas = some_areas(random, job.n_sites);
     if (kind != 1) {
@@ -98,7 +98,7 @@ std::vector<double> areas_by_site(const plane::Tile& tile, int n_sites) {
 Eigen::VectorXd wished(const Job& job) {
     const auto& [law, given, name] = *job.areas;
     return scaled_areas(given.size() > 0 ? given : draw_areas(law, job.n_sites, job.seed),
-                        job.n_sites, job.lattice.area());
+                        job.n_sites, job.in_plane().lattice.area());
 }
 
 /// Expects that the faces of each site have its area, also without short edges and in a box.
@@ -158,7 +158,7 @@ TEST(JobAreas, SlowEveryTileIsProvedAndHasTheAreas) {
 TEST(JobAreas, EdgesBendAtCornersOfTheBoxOnly) {
     Job job;
     job.seed = 6;
-    job.lattice = plane::Lattice({0.32141887474073716, 1.4764704141323493},
+    job.in_plane().lattice = plane::Lattice({0.32141887474073716, 1.4764704141323493},
                                  {-0.81384407912267953, -4.2811419902297212});
     job.n_sites = 28;
     job.run.max_iterations = 4;
@@ -231,8 +231,8 @@ TEST(JobAreas, CellsAreThoseOfBruteForceInTheMetric) {
         }
         std::mt19937_64 random(seed);
         const plane::PeriodicMesh mesh = plane_mesh(computed->cells, plane::MeshKind::kVoronoi);
-        EXPECT_EQ(mesh.lattice.a(), job.lattice.a());
-        const double rounding = 1e-7 * job.lattice.area() / job.n_sites;
+        EXPECT_EQ(mesh.lattice.a(), job.in_plane().lattice.a());
+        const double rounding = 1e-7 * job.in_plane().lattice.area() / job.n_sites;
         for (int f = 0; f < mesh.n_faces(); ++f) {
             // A corner, which is as far from the sites of its other cells.
             const int n = mesh.face_begin[f + 1] - mesh.face_begin[f];
@@ -246,18 +246,18 @@ TEST(JobAreas, CellsAreThoseOfBruteForceInTheMetric) {
 
 TEST(JobAreas, SitesOfAFileKeepTheirNumbersAndPlaces) {
     Job job;
-    job.lattice = plane::Lattice({2, 0}, {0.7, 1});
+    job.in_plane().lattice = plane::Lattice({2, 0}, {0.7, 1});
     job.n_sites = 50;
-    job.points = uniform_points(job.lattice, 50, 3);
+    job.in_plane().points = uniform_points(job.in_plane().lattice, 50, 3);
     job.areas = WishedAreas{.given = Eigen::VectorXd::LinSpaced(50, 1, 3), .name = "areas.txt"};
     job.aspect = Aspect{.ratio = 2, .degrees = 30};
     job.run.max_iterations = 0;
     const Computation computed = compute_job(job, {}).value();
     const plane::Points sites = wrapped_sites(computed.cells, job.tile.origin);
-    const plane::Domain domain(job.lattice, job.tile.origin);
+    const plane::Domain domain(job.in_plane().lattice, job.tile.origin);
     for (int s = 0; s < 50; ++s) {
-        const plane::Vec2 p = job.points.col(s);
-        const plane::Vec2 inside = p + job.lattice.translation(domain.offset_into(p));
+        const plane::Vec2 p = job.in_plane().points.col(s);
+        const plane::Vec2 inside = p + job.in_plane().lattice.translation(domain.offset_into(p));
         EXPECT_LT((sites.col(s) - inside).norm(), 1e-12);
     }
     const CellTable table = cell_table(plane_mesh(computed.cells, plane::MeshKind::kVoronoi));
@@ -279,12 +279,12 @@ TEST(JobAreas, SortedAreasOfAFileLieAtRandom) {
 TEST(JobAreas, TheResultIsThatOfTheRoundSpace) {
     // Elongated along x, the unit square is the round rectangle 1/2 x 2.
     Job round;
-    round.lattice = plane::Lattice::rectangle(0.5, 2);
-    round.points = uniform_points(round.lattice, 80, 1);
+    round.in_plane().lattice = plane::Lattice::rectangle(0.5, 2);
+    round.in_plane().points = uniform_points(round.in_plane().lattice, 80, 1);
     Job job;
-    job.points = round.points;
-    job.points.row(0) *= 2;
-    job.points.row(1) /= 2;
+    job.in_plane().points = round.in_plane().points;
+    job.in_plane().points.row(0) *= 2;
+    job.in_plane().points.row(1) /= 2;
     job.aspect = Aspect{.ratio = 4, .degrees = 0};
     const Computation here = compute_job(job, {}).value();
     const Computation there = compute_job(round, {}).value();
@@ -338,7 +338,7 @@ TEST(JobAreas, SitesOfTheReportsAreThoseOfTheFiles) {
     const TemporaryFolder folder;
     Job job;
     job.n_sites = 30;
-    job.lattice = plane::Lattice({1, 0}, {0.4, 0.9});
+    job.in_plane().lattice = plane::Lattice({1, 0}, {0.4, 0.9});
     job.aspect = Aspect{.ratio = 3, .degrees = 110};
     job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
     job.run.max_iterations = 1;

@@ -131,7 +131,7 @@ TEST(Cancelling, IsNoticedInPatternsAndSearches) {
     const TemporaryFolder folder;
     Job job = job_of(kSites, 0, folder, {"t.ply"});
     job.start = Start::kLattice;
-    job.lattice = plane::Lattice({1, 0}, {0.37, 0.81});
+    job.in_plane().lattice = plane::Lattice({1, 0}, {0.37, 0.81});
     expect_short_pauses(job);
     job = job_of(300, -1, folder, {"u.ply"});
     job.start = Start::kBest;

@@ -50,7 +50,7 @@ TEST(JobFiles, ACaseIsAFolderAndTheCGridOneForAllMeshes) {
 TEST(JobFiles, ACGridNeedsARectangleAndEveryEdge) {
     Job job;
     job.outputs = {"t.nc"};
-    job.lattice = plane::Lattice({1, 0}, {0.5, 0.8});
+    job.in_plane().lattice = plane::Lattice({1, 0}, {0.5, 0.8});
     EXPECT_THROW(plan_files(job), InvalidInput);
     job.tile.rows = 2;
     EXPECT_EQ(plan_files(job).size(), 1U);

@@ -15,9 +15,9 @@ MpasGrid written_grid(const std::optional<plane::Density>& density, int columns)
     const plane::Lattice period = plane::Lattice::rectangle(1, 2 / std::sqrt(3));
     const testing::TemporaryFolder folder;
     Job job;
-    job.lattice = period;
-    job.points = pattern_points(best_lattice(period, 48));
-    job.points.colwise() += plane::Vec2(0.01, 0.02);
+    job.in_plane().lattice = period;
+    job.in_plane().points = pattern_points(best_lattice(period, 48));
+    job.in_plane().points.colwise() += plane::Vec2(0.01, 0.02);
     job.run.max_iterations = 0;
     job.density = density;
     job.tile.columns = columns;

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 /// Returns a job for a honeycomb that is periodic on a rectangle, which every format supports.
 Job job_for_every_format(const TemporaryFolder& folder, int n_threads) {
     Job job;
-    job.lattice = plane::Lattice::rectangle(1, 2 / std::sqrt(3.0));
+    job.in_plane().lattice = plane::Lattice::rectangle(1, 2 / std::sqrt(3.0));
     job.n_sites = 192;
     job.start = Start::kLattice;
     job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay};

@@ -88,14 +88,14 @@ plane::Points scattered_sites(const plane::Lattice& lattice) {
 
 Job job_with(const Features& features) {
     Job job;
-    job.lattice = plane::Lattice::rectangle(1.25, 1);
+    job.in_plane().lattice = plane::Lattice::rectangle(1.25, 1);
     job.n_sites = kNumberedSites;
     job.seed = 5;
     job.run.max_iterations = 2;
     job.walls = features.walls;
     job.wall_cells = features.wall_cells;
     if (features.are_given) {
-        job.points = scattered_sites(job.lattice);
+        job.in_plane().points = scattered_sites(job.in_plane().lattice);
         // The sites beside walls move onto them.
         if (features.wall_cells == WallCells::kWhole) job.run.max_iterations = 0;
     }
@@ -158,7 +158,7 @@ void expect_same_sites(const std::vector<plane::Vec2>& found,
     ASSERT_EQ(found.size(), wanted.size()) << where;
     int n_wrong = 0;
     for (std::size_t s = 0; s < found.size(); ++s) {
-        plane::Vec2 periods = job.lattice.to_lattice(found[s] - wanted[s]);
+        plane::Vec2 periods = job.in_plane().lattice.to_lattice(found[s] - wanted[s]);
         for (int axis = 0; axis < 2; ++axis) {
             if (!has_walls_across(job.walls, axis)) periods[axis] -= std::round(periods[axis]);
         }
@@ -210,8 +210,8 @@ void expect_one_numbering(Job job, const std::vector<std::string>& extensions) {
     std::vector<plane::Vec2> of_rows;
     for (const Row& row : rows) of_rows.push_back(row.site);
     expect_same_sites(of_rows, sites, job, "table");
-    if (job.points.cols() > 0 && job.run.max_iterations == 0) {
-        expect_same_sites(sites, list_of(job.points), job, "input");
+    if (job.in_plane().points.cols() > 0 && job.run.max_iterations == 0) {
+        expect_same_sites(sites, list_of(job.in_plane().points), job, "input");
     }
     for (const std::string& extension : extensions) {
         const TileFile file = read_tile(folder / ("t." + extension));
