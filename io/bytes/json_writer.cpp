@@ -9,15 +9,15 @@ namespace {
 
 /// Appends a text in quotes without the characters that end a script or a text of HTML.
 void append_page_string(std::string& json, std::string_view text) {
-    constexpr std::string_view kHexDigits = "0123456789abcdef";
-    constexpr std::string_view kEscaped = "\"\\<>&";
+    constexpr std::string_view kDigitsOfByte = "0123456789abcdef";
+    constexpr std::string_view kPageMarks = "\"\\<>&";
     json += '"';
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
-        if (byte >= 0x20 && kEscaped.find(c) == std::string_view::npos) {
+        if (byte >= 0x20 && kPageMarks.find(c) == std::string_view::npos) {
             json += c;
         } else {
-            json.append("\\u00") += {kHexDigits[byte / 16], kHexDigits[byte % 16]};
+            json.append("\\u00") += {kDigitsOfByte[byte / 16], kDigitsOfByte[byte % 16]};
         }
     }
     json += '"';
