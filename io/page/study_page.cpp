@@ -47,9 +47,8 @@ std::string table_section(const StudyPageTable& table) {
 /// Returns {"points": {NAME: the points of its plots}, "csv": {NAME: the bytes of the file}}.
 std::string page_data(const std::vector<StudyPagePicture>& pictures,
                       const std::vector<StudyPageTable>& tables) {
-    constexpr JsonLayout kMembers{.between = ",\n"};
     std::string text;
-    JsonWriter json(text, kMembers, JsonEscapes::kInPage);
+    JsonWriter json(text, {.between = ",\n"}, JsonEscapes::kInPage);
     json.begin_object();
     json.object("points", [&] {
         for (const StudyPagePicture& picture : pictures) {
