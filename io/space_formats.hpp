@@ -29,6 +29,7 @@ struct SpaceMeshRow {
     SpaceMesh mesh;
     const char* word;
     int abi_value;
+    bool in_space = true;
 };
 inline constexpr std::array kSpaceMeshes{SpaceMeshRow{SpaceMesh::kVoronoi, "voronoi", 0},
                                          SpaceMeshRow{SpaceMesh::kDelaunay, "delaunay", 1}};

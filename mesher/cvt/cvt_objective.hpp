@@ -5,8 +5,8 @@
 #include "mesher/base/workers.hpp"
 #include "mesher/cvt/energy.hpp"
 #include "mesher/cvt/residuals.hpp"
+#include "mesher/cvt/run_options.hpp"
 #include "mesher/cvt/site_constraints.hpp"
-#include "mesher/cvt/solvers.hpp"
 #include "mesher/optimize/objective.hpp"
 
 namespace pcvt {
@@ -110,6 +110,16 @@ template <class Moving>
 double longest_move(const Moving& moving) {
     constexpr double kPairsPerSite = Moving::kNumbersPerSite / 2.0;
     return std::sqrt(1 / kPairsPerSite) * kLargestMove * moving.spacing();
+}
+
+/// The options of the optimiser for a run in which no site moves further than kLargestMove h in one
+/// step.
+template <class Moving>
+OptimizerOptions optimizer_options(const Moving& moving, const RunOptions& run) {
+    return {.tolerance = run.tolerance,
+            .max_iterations = run.max_iterations,
+            .max_move = longest_move(moving),
+            .progress = run.progress};
 }
 
 /// Minimises the energy of moving sites by one of the solvers of solvers.hpp.

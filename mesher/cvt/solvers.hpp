@@ -33,6 +33,8 @@ struct SolverRow {
     Minimize minimize_density;
     /// Whether plane::CvtOptions::precondition_below applies.
     bool preconditions;
+    /// Whether sites in space can have it.
+    bool in_space;
 };
 
 namespace detail {
@@ -58,28 +60,32 @@ inline constexpr std::array kSolvers{
               .help = "lbfgs is finished by newton where that pays",
               .minimize = detail::lbfgs_newton<NewtonStart::kNear>,
               .minimize_density = detail::lbfgs_newton<NewtonStart::kNearForAnyNumber>,
-              .preconditions = true},
+              .preconditions = true,
+              .in_space = true},
     SolverRow{.solver = Solver::kLloyd,
               .word = "lloyd",
               .abi_value = 2,
               .help = "",
               .minimize = detail::lloyd,
               .minimize_density = detail::lloyd,
-              .preconditions = false},
+              .preconditions = false,
+              .in_space = true},
     SolverRow{.solver = Solver::kNewton,
               .word = "newton",
               .abi_value = 3,
               .help = "",
               .minimize = detail::lbfgs_newton<NewtonStart::kAtOnce>,
               .minimize_density = detail::lbfgs_newton<NewtonStart::kAtOnce>,
-              .preconditions = true},
+              .preconditions = true,
+              .in_space = false},
     SolverRow{.solver = Solver::kPlainLbfgs,
               .word = "plain-lbfgs",
               .abi_value = kNotOffered,
               .help = "",
               .minimize = minimize_lbfgs,
               .minimize_density = minimize_lbfgs,
-              .preconditions = false}};
+              .preconditions = false,
+              .in_space = false}};
 
 constexpr const SolverRow& solver_row(Solver solver) {
     return kSolvers[static_cast<std::size_t>(solver)];

@@ -61,7 +61,7 @@ void set_density(const pcvt_options& options, const std::fenv_t& host, Job& job)
     if (options.density_source != nullptr || range) {
         throw InvalidInput("density excludes density_source and density_range; leave one out");
     }
-    job.n_threads = 1;
+    job.run.n_threads = 1;
     job.density_name = "callback";
     const plane::Density density{[&options, &host] { return HostDensity(options, host); }};
     job.density = with_axis_breaks(job.lattice, density);

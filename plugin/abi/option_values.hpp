@@ -45,28 +45,4 @@ bool differ(const Value (&one)[n], const Value (&other)[n]) {
     return !std::equal(one, one + n, other);
 }
 
-/// Refuses fields of a struct that have no meaning for it.
-///
-///   const UnusedFields<pcvt_options> unused(options, default_options(), "is for the plane");
-///   unused.refuse("walls", &pcvt_options::walls);
-template <class Struct>
-class UnusedFields {
-   public:
-    /// @param why  the end of the message.
-    UnusedFields(const Struct& given, const Struct& defaults, const char* why)
-        : given_(given), defaults_(defaults), why_(why) {}
-
-    /// @throws InvalidInput unless the field has its default.
-    template <class Value>
-    void refuse(const char* name, Value Struct::*field) const {
-        if (!differ(given_.*field, defaults_.*field)) return;
-        throw InvalidInput(std::string(name) + " " + why_);
-    }
-
-   private:
-    Struct given_;
-    Struct defaults_;
-    const char* why_;
-};
-
 }  // namespace pcvt::abi

@@ -80,7 +80,7 @@ int budget(const pcvt_options& options) {
 }
 
 Solver solver(std::int32_t value) {
-    if (value == PCVT_SOLVER_DEFAULT) return Job().solver;
+    if (value == PCVT_SOLVER_DEFAULT) return Job().run.solver;
     return chosen_row("solver", value, kSolvers).solver;
 }
 
@@ -93,10 +93,10 @@ void read_grains(const pcvt_options& options, Job& job) {
     }
     if (options.grain_per_edge < 0)
         throw InvalidInput("grain_per_edge is negative; take 0 or more");
-    job.grain_size = options.grain_size;
-    job.grain_per_edge = options.grain_per_edge;
-    job.order = std::max(1, options.grain_order);
-    job.short_edges = options.short_edges;
+    job.tile.grain_size = options.grain_size;
+    job.tile.grain_per_edge = options.grain_per_edge;
+    job.tile.order = std::max(1, options.grain_order);
+    job.tile.short_edges = options.short_edges;
 }
 
 std::optional<plane::PlaneGroupName> symmetry(std::int32_t value) {
@@ -309,17 +309,17 @@ Job make_job(const pcvt_options& options) {
     job.start = start(options);
     job.budget = budget(options);
     read_grains(options, job);
-    job.solver = solver(options.solver);
-    job.tolerance = options.tolerance;
-    job.max_iterations = options.max_iterations;
-    job.n_threads = thread_count(options.n_threads);
-    job.columns = options.columns;
-    job.rows = options.rows;
-    job.origin = {options.origin[0], options.origin[1]};
+    job.run.solver = solver(options.solver);
+    job.run.tolerance = options.tolerance;
+    job.run.max_iterations = options.max_iterations;
+    job.run.n_threads = thread_count(options.n_threads);
+    job.tile.columns = options.columns;
+    job.tile.rows = options.rows;
+    job.tile.origin = {options.origin[0], options.origin[1]};
     if (options.find_origin != 0 && options.find_origin != 1) {
         throw InvalidInput("find_origin is neither 0 nor 1");
     }
-    job.finds_origin = options.find_origin == 1;
+    job.tile.finds_origin = options.find_origin == 1;
     job.areas = wished_areas(options);
     job.aspect = aspect(options);
     job.symmetry = symmetry(options.symmetry);

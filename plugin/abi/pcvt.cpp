@@ -99,7 +99,7 @@ pcvt_status generate_in_plane(const pcvt_options& options, pcvt_result** result,
     std::optional<Computation> computed;
     if (read_density(options, callback, host, job)) computed = compute_job(job, callback);
     if (!computed) return cancelled_status();
-    const pcvt_status status = status_of(job.max_iterations, computed->cells.run);
+    const pcvt_status status = status_of(job.run.max_iterations, computed->cells.run);
     // The callback may not be called after this call.
     if (job.density) job.density = plane::Density{};
     *result = new pcvt_result(std::in_place_type<Result>, std::move(job), *std::move(computed));
@@ -114,7 +114,7 @@ pcvt_status generate_in_space(const pcvt_options& options, pcvt_result** result,
         job_callback({options.progress, options.progress_data}, pcvt::energy_bound(job), host);
     std::optional<SpaceComputation> computed = compute_space_job(job, callback);
     if (!computed) return cancelled_status();
-    const pcvt_status status = status_of(job.max_iterations, computed->cvt.run);
+    const pcvt_status status = status_of(job.run.max_iterations, computed->cvt.run);
     *result =
         new pcvt_result(std::in_place_type<SpaceResult>, std::move(job), *std::move(computed));
     return status;

@@ -104,7 +104,7 @@ std::int32_t outline_number(plane::Outline outline) {
 Result::Result(Job job, Computation computed)
     : job_(std::move(job)),
       computed_(std::move(computed)),
-      sites_(wrapped_sites(computed_.cells, job_.origin)),
+      sites_(wrapped_sites(computed_.cells, job_.tile.origin)),
       inclusions_(inclusion_arrays(computed_.cells)) {
     for (const std::string& name : computed_.materials.phase_names) {
         phase_names_.push_back(name.c_str());
@@ -118,8 +118,8 @@ const plane::PeriodicMesh& Result::periodic(plane::MeshKind kind) const {
     }
     Job job = job_;
     job.meshes = {kind};
-    job.outline = plane::Outline::kWhole;
-    job.columns = job.rows = 1;
+    job.tile.outline = plane::Outline::kWhole;
+    job.tile.columns = job.tile.rows = 1;
     check_job(job);
     return meshes_[kind_number(kind)].get([&] {
         require_memory_for_mesh(job, kind);
@@ -130,7 +130,7 @@ const plane::PeriodicMesh& Result::periodic(plane::MeshKind kind) const {
 const TileArrays& Result::arrays(const Layout& layout, JobMonitor& monitor) const {
     Job job = job_;
     job.meshes = {layout.kind};
-    job.outline = layout.outline;
+    job.tile.outline = layout.outline;
     check_job(job);
     return tiles_[kind_number(layout.kind)][outline_number(layout.outline)].get([&] {
         require_memory_for_mesh(job, layout.kind);
@@ -201,7 +201,7 @@ pcvt_statistics Result::statistics() const {
             .n_sites = static_cast<std::int32_t>(sites_.cols()),
             .iterations = cells.run.iterations,
             .evaluations = cells.run.evaluations,
-            .n_threads = job_.n_threads,
+            .n_threads = job_.run.n_threads,
             .n_mirrors = cells.counts.n_mirrors.value_or(-1),
             .area_error = cells.areas ? cells.areas->largest_relative_error
                                       : std::numeric_limits<double>::quiet_NaN(),
@@ -264,7 +264,7 @@ pcvt_tile Result::tile(const Layout& layout) const {
 bool Result::write(const WriteRequest& request, const JobCallback& callback) const {
     Job job = job_;
     job.meshes = {request.layout.kind};
-    job.outline = request.layout.outline;
+    job.tile.outline = request.layout.outline;
     if (!request.path.empty()) job.outputs = {request.path};
     job.file_options = request.files;
     job.report = request.report;

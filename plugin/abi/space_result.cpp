@@ -124,7 +124,7 @@ pcvt_statistics SpaceResult::statistics() const {
     view.n_sites = job_.n_sites;
     view.iterations = run.iterations;
     view.evaluations = run.evaluations;
-    view.n_threads = job_.n_threads;
+    view.n_threads = job_.run.n_threads;
     view.n_mirrors = -1;
     view.area_error = std::numeric_limits<double>::quiet_NaN();
     view.n_dropped = static_cast<std::int32_t>(job_.dropped.sites.size());

@@ -42,7 +42,7 @@ RunSummary run_watched(const Job& job, bool quiet) {
     const std::optional<double> available = available_memory();
     // The first progress follows the checks of the job, so that a refusal is one line.
     bool announces = n >= kFewestAnnounced && !quiet;
-    ProgressDisplay display(expected_energy(job, n), job.tolerance, !quiet);
+    ProgressDisplay display(expected_energy(job, n), job.run.tolerance, !quiet);
     catch_cancel_signals();
     return run_job(job, [&](const JobProgress& progress) {
         if (std::exchange(announces, false)) {
@@ -151,7 +151,7 @@ ExitCode run_mesh(Job job, const MeshOptions& options) {
         return report_refused(summary.refused, summary.files.size() + (job.report.empty() ? 0 : 1));
     }
     if (options.strict && summary.run.stop != Stop::kConverged) {
-        return report_not_converged(summary.run, job.tolerance);
+        return report_not_converged(summary.run, job.run.tolerance);
     }
     return ExitCode::kDone;
 }

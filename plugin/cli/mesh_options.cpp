@@ -68,7 +68,7 @@ std::string solver_help() {
     for (const SolverRow& row : kSolvers) {
         if (*row.help != '\0') text += (text.empty() ? "" : "; ") + std::string(row.help);
     }
-    return text + " [" + solver_row(Job().solver).word + "]";
+    return text + " [" + solver_row(Job().run.solver).word + "]";
 }
 
 /// The words of the plane groups on two lines.
@@ -212,10 +212,10 @@ void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
         job.start = chosen_row("--start", options.start, start_rows()).start;
     }
     if (app.count("--solver") > 0) {
-        job.solver = chosen_row("--solver", options.solver, kSolvers).solver;
+        job.run.solver = chosen_row("--solver", options.solver, kSolvers).solver;
     }
     if (app.count("--outline") > 0) {
-        job.outline = chosen_row("--outline", options.outline, kOutlines).outline;
+        job.tile.outline = chosen_row("--outline", options.outline, kOutlines).outline;
     }
 }
 
@@ -227,22 +227,22 @@ void read_grains(const CLI::App& app, const MeshOptions& options, Job& job) {
     require_mesh("--size", &plane::MeshKindRow::grain_size);
     require_mesh("--per-edge", &plane::MeshKindRow::grain_size);
     require_mesh("--order", &plane::MeshKindRow::order_2);
-    if (app.count("--size") > 0) job.grain_size = positive_number("--size", options.size);
+    if (app.count("--size") > 0) job.tile.grain_size = positive_number("--size", options.size);
     if (app.count("--per-edge") > 0) {
-        job.grain_per_edge = whole_number("--per-edge", options.per_edge, 1, kMostPerEdge);
-        if (job.grain_size > 0) {
+        job.tile.grain_per_edge = whole_number("--per-edge", options.per_edge, 1, kMostPerEdge);
+        if (job.tile.grain_size > 0) {
             throw InvalidInput("--per-edge replaces --size; leave one of them out");
         }
     }
-    if (app.count("--order") > 0) job.order = whole_number("--order", options.order, 1, 2);
+    if (app.count("--order") > 0) job.tile.order = whole_number("--order", options.order, 1, 2);
 }
 
 void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--tolerance") > 0) {
-        job.tolerance = positive_number("--tolerance", options.tolerance);
+        job.run.tolerance = positive_number("--tolerance", options.tolerance);
     }
     if (app.count("--max-iterations") > 0) {
-        job.max_iterations =
+        job.run.max_iterations =
             whole_number("--max-iterations", options.max_iterations, 0, kMostIterations);
     }
     if (app.count("--budget") > 0) {
@@ -251,20 +251,20 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
         }
         job.budget = whole_number("--budget", options.budget, 1, kLargestBudget);
     }
-    job.n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    job.run.n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     if (app.count("--threads") > 0) {
-        job.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
+        job.run.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
     }
     if (app.count("--origin") > 0) {
-        job.finds_origin = options.origin == "auto";
-        if (!job.finds_origin) job.origin = point("--origin", options.origin);
-        if (job.finds_origin && job.outline != plane::Outline::kBox) {
+        job.tile.finds_origin = options.origin == "auto";
+        if (!job.tile.finds_origin) job.tile.origin = point("--origin", options.origin);
+        if (job.tile.finds_origin && job.tile.outline != plane::Outline::kBox) {
             throw InvalidInput("--origin auto is for --outline box; add it, or give X,Y");
         }
     }
     if (app.count("--short-edges") > 0) {
-        job.short_edges = positive_number("--short-edges", options.short_edges);
-        if (job.short_edges > kLongestShortEdge) {
+        job.tile.short_edges = positive_number("--short-edges", options.short_edges);
+        if (job.tile.short_edges > kLongestShortEdge) {
             throw InvalidInput("--short-edges " + options.short_edges +
                                ": such edges are not short; take at most 0.5");
         }
@@ -275,8 +275,8 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
     }
     if (app.count("--repeat") > 0) {
         const Repetition times = repetition("--repeat", options.repeat);
-        job.columns = times.columns;
-        job.rows = times.rows;
+        job.tile.columns = times.columns;
+        job.tile.rows = times.rows;
     }
 }
 

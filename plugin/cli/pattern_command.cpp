@@ -59,15 +59,15 @@ Job make_pattern_job(const CLI::App& app, const MeshOptions& options) {
     require_pattern_options(app);
     Job job = make_job(app, options);
     job.start = Start::kLattice;
-    job.max_iterations = 0;
+    job.run.max_iterations = 0;
     return job;
 }
 
 SpaceJob make_space_pattern_job(const CLI::App& app, const MeshOptions& options) {
     require_pattern_options(app);
     SpaceJob job = make_space_job(app, options);
-    job.start = SpaceStart::kLattice;
-    job.max_iterations = 0;
+    job.start = Start::kLattice;
+    job.run.max_iterations = 0;
     return job;
 }
 

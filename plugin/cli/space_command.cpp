@@ -4,8 +4,6 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
-#include <array>
-#include <string_view>
 #include <thread>
 
 #include "io/run_files/site_reader.hpp"
@@ -17,24 +15,19 @@
 #include "plugin/cli/terminal/console.hpp"
 #include "plugin/cli/terminal/progress_display.hpp"
 #include "plugin/job/available_memory.hpp"
+#include "plugin/job/features.hpp"
 #include "plugin/job/job_memory.hpp"
+#include "plugin/job/job_start.hpp"
 #include "plugin/space/space_memory.hpp"
 
 namespace pcvt::cli {
 namespace {
 
-/// The options of `pcvt mesh` that apply in space.
-constexpr std::array<std::string_view, 22> kOptions{
-    "--help",      "--sites",          "--seed",        "--input",     "--period",  "--lattice",
-    "--start",     "--solver",         "--strict",      "--threads",   "-o",        "--force",
-    "--tolerance", "--max-iterations", "--quiet",       "-h",          "--surface", "--report",
-    "--mesh",      "--stability",      "--short-edges", "--duplicates"};
-
 template <class Table>
 const auto& space_row(const char* option, const std::string& word, const Table& table) {
-    if (const auto* row = find_word(table, word)) return *row;
+    if (const auto* row = find_word(table, word); row != nullptr && row->in_space) return *row;
     throw InvalidInput(std::string(option) + " " + word + ": not for three dimensions; take " +
-                       listed_words(table, ", ", " or "));
+                       listed_words(rows_in_space(table), ", ", " or "));
 }
 
 std::ptrdiff_t count_commas(const std::string& text) {
@@ -44,10 +37,8 @@ std::ptrdiff_t count_commas(const std::string& text) {
 void refuse_foreign_options(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options()) {
         const std::string name = option->get_name();
-        if (option->count() == 0 ||
-            std::find(kOptions.begin(), kOptions.end(), name) != kOptions.end()) {
-            continue;
-        }
+        const FeatureRow* const feature = find_option(name);
+        if (option->count() == 0 || feature == nullptr || feature->in_space) continue;
         throw InvalidInput(name +
                            " is not for three dimensions; leave it out, or give two period "
                            "vectors");
@@ -68,25 +59,25 @@ void read_sites_options(const CLI::App& app, const MeshOptions& options, SpaceJo
     }
     if (app.count("--seed") > 0) job.seed = seed_number("--seed", options.seed);
     if (app.count("--start") > 0)
-        job.start = space_row("--start", options.start, kSpaceStarts).start;
+        job.start = space_row("--start", options.start, start_rows()).start;
     if (app.count("--input") > 0 && options.input != "-") job.inputs.push_back(options.input);
     job.duplicates = chosen_duplicates(app, options.duplicates);
 }
 
 void read_solver_options(const CLI::App& app, const MeshOptions& options, SpaceJob& job) {
     if (app.count("--solver") > 0) {
-        job.solver = space_row("--solver", options.solver, kSpaceSolvers).solver;
+        job.run.solver = space_row("--solver", options.solver, kSolvers).solver;
     }
     if (app.count("--tolerance") > 0) {
-        job.tolerance = positive_number("--tolerance", options.tolerance);
+        job.run.tolerance = positive_number("--tolerance", options.tolerance);
     }
     if (app.count("--max-iterations") > 0) {
-        job.max_iterations =
+        job.run.max_iterations =
             whole_number("--max-iterations", options.max_iterations, 0, kMostIterations);
     }
-    job.n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    job.run.n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     if (app.count("--threads") > 0) {
-        job.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
+        job.run.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
     }
 }
 
@@ -97,7 +88,7 @@ constexpr int kFewestAnnouncedInSpace = 200'000;
 SpaceSummary run_watched(const SpaceJob& job, bool quiet) {
     const std::optional<double> available = available_memory();
     const int n = job.points.cols() > 0 ? static_cast<int>(job.points.cols()) : job.n_sites;
-    ProgressDisplay display(space::body_centred_energy(job.lattice.volume(), n), job.tolerance,
+    ProgressDisplay display(space::body_centred_energy(job.lattice.volume(), n), job.run.tolerance,
                             !quiet);
     catch_cancel_signals();
     // The first progress follows the checks of the job, so that a refusal is one line.
@@ -277,7 +268,7 @@ ExitCode run_space_mesh(SpaceJob job, const MeshOptions& options) {
         return report_refused(summary.refused, summary.files.size() + (job.report.empty() ? 0 : 1));
     }
     if (options.strict && summary.run.stop != Stop::kConverged) {
-        return report_not_converged(summary.run, job.tolerance);
+        return report_not_converged(summary.run, job.run.tolerance);
     }
     return ExitCode::kDone;
 }

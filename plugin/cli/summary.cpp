@@ -45,9 +45,10 @@ Eigen::ArrayXXd lattice_coordinates(const plane::Points& points, const plane::La
 }
 
 std::string site_text(const Job& job, const RunSummary& summary) {
-    const plane::Domain domain(job.lattice, job.origin);
+    const plane::Domain domain(job.lattice, job.tile.origin);
     return std::to_string(summary.n_sites) +
-           domain_note(job.points.array(), lattice_coordinates(job.points, job.lattice, job.origin),
+           domain_note(job.points.array(),
+                       lattice_coordinates(job.points, job.lattice, job.tile.origin),
                        lattice_coordinates(job.points, domain.basis(), domain.corner()));
 }
 

@@ -44,8 +44,8 @@ class Stopwatch {
 };
 
 JobMonitor::Target target_of(const Job& job) {
-    return {.tolerance = job.tolerance,
-            .max_iterations = job.max_iterations,
+    return {.tolerance = job.run.tolerance,
+            .max_iterations = job.run.max_iterations,
             .has_areas = job.areas.has_value(),
             .note = job.retries > 0 ? ", seed " + std::to_string(job.seed) : ""};
 }
@@ -136,9 +136,9 @@ std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
     if (job.symmetry) {
         const plane::Density folded =
             folded_density(*job.density, plane::PlaneGroup(*job.symmetry, job.lattice));
-        return densities_at(folded, job.lattice, wrapped_sites(cells, job.origin));
+        return densities_at(folded, job.lattice, wrapped_sites(cells, job.tile.origin));
     }
-    return densities_at(*job.density, job.lattice, wrapped_sites(cells, job.origin));
+    return densities_at(*job.density, job.lattice, wrapped_sites(cells, job.tile.origin));
 }
 
 void add_materials(const Job& job, Computation& computation) {
@@ -217,7 +217,7 @@ RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallb
 /// @param dashes  precede the names of options.
 std::string remedy(const Job& job, const std::string& dashes) {
     if (job.start == Start::kLattice) return "; take another number of sites, or other periods";
-    if (job.max_iterations == 0) {
+    if (job.run.max_iterations == 0) {
         return "; optimise the sites: leave " + dashes + "max-iterations 0 out";
     }
     const std::string tolerance = "a smaller " + dashes + "tolerance";
@@ -228,7 +228,7 @@ std::string remedy(const Job& job, const std::string& dashes) {
 /// The advice of the command, which can retry.
 std::string remedy_with_retries(const Job& job) {
     const bool retries_help =
-        job.points.cols() == 0 && job.max_iterations != 0 && job.start != Start::kLattice;
+        job.points.cols() == 0 && job.run.max_iterations != 0 && job.start != Start::kLattice;
     if (!retries_help) return remedy(job, "--");
     if (job.retries == 0) return remedy(job, "--") + ", or add --retry 20";
     return "; " + std::to_string(job.retries + 1) + " seeds from " + std::to_string(job.seed) +

@@ -15,7 +15,7 @@
 #include "mesher/cells/material_choices.hpp"
 #include "mesher/cells/orientations.hpp"
 #include "mesher/cells/target_areas.hpp"
-#include "mesher/cvt/solvers.hpp"
+#include "mesher/cvt/run_options.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/search/lattice_stability.hpp"
 #include "mesher/plane/symmetry/plane_group.hpp"
@@ -73,13 +73,9 @@ struct Job {
     /// most so often. For drawn sites and outputs that can refuse.
     int retries = 0;
 
-    Solver solver = Solver::kLbfgs;
-    double tolerance = 1e-6;
-    /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given. With `areas`,
-    /// the number of steps that move each site to the centroid of its cell.
-    int max_iterations = -1;
-    /// At least 1; the result does not depend on it.
-    int n_threads = 1;
+    /// With `areas`, max_iterations is the number of steps that move each site to the centroid of
+    /// its cell. run_job() sets progress.
+    RunOptions run;
     /// Whether the summary answers if the result is a minimum, which costs up to three times the
     /// optimisation: minimum_of(). For at most kMostSitesForStability sites without a density.
     bool stability = false;
@@ -127,29 +123,12 @@ struct Job {
 
     bool has_inclusions() const { return inclusions || fibres; }
 
-    /// Voronoi edges shorter than this are removed from cells and grains, units of h. 0: none,
-    /// except the shortest ones of grains (mesher/plane/grains/grains.hpp).
-    double short_edges = 0;
-
     /// At least one, each at most once. If there are several, the word of the kind precedes the
     /// extension: tile-voronoi.obj. Not every kind has a box outline (mesh_kind.hpp).
     std::vector<plane::MeshKind> meshes = {plane::MeshKind::kVoronoi};
-    plane::Outline outline = plane::Outline::kWhole;
-    /// Edges of grains, length units; 0: h / 3, h = sqrt(area / number of sites).
-    double grain_size = 0;
-    /// The number of parts of each cell edge, which the triangles inside match; excludes
-    /// grain_size. 0: grain_size applies.
-    int grain_per_edge = 0;
-    /// 2: grains are six-node triangles, in the formats that support them.
-    int order = 1;
-    /// The tile covers columns x rows domains, and its lattice is theirs.
-    int columns = 1;
-    int rows = 1;
-    /// Corner of the domain, length units.
-    plane::Vec2 origin = plane::Vec2::Zero();
-    /// Whether the box outline is placed where its shortest edge becomes longest, and not at
-    /// `origin`.
-    bool finds_origin = false;
+    /// How each of them becomes a tile. The tessellation supplies its elongation, walls, tags and
+    /// holes.
+    plane::TileOptions tile;
 
     /// Phases are spread and orientations drawn by `seed`; given orientations are those of the
     /// sites in their order.

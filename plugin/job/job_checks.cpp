@@ -7,6 +7,7 @@
 #include "io/tiles/tile_file.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/plane/symmetry/special_positions.hpp"
+#include "plugin/job/features.hpp"
 #include "plugin/job/job_constraints.hpp"
 #include "plugin/job/job_start.hpp"
 
@@ -25,20 +26,20 @@ constexpr double kMostGrainSquares = 1 << 27;
 plane::Reduction reduce_repeated(const Job& job) {
     reduce(job.lattice);
     try {
-        return reduce(job.lattice.repeated(job.columns, job.rows));
+        return reduce(job.lattice.repeated(job.tile.columns, job.tile.rows));
     } catch (const InvalidInput& error) {
-        throw InvalidInput("repeated " + std::to_string(job.columns) + " x " +
-                           std::to_string(job.rows) + ": " + error.what());
+        throw InvalidInput("repeated " + std::to_string(job.tile.columns) + " x " +
+                           std::to_string(job.tile.rows) + ": " + error.what());
     }
 }
 
 /// Requires that the offsets fit their integers, and that different vertices stay different.
 void check_origin(const Job& job, const plane::Reduction& repeated, double n_sites) {
-    const plane::Vec2 periods = repeated.reduced.to_lattice(job.origin);
+    const plane::Vec2 periods = repeated.reduced.to_lattice(job.tile.origin);
     double largest = 1;
     for (const int entry : repeated.m) largest = std::max(largest, std::abs(double(entry)));
     const double rounding =
-        kUlps * std::numeric_limits<double>::epsilon() * job.origin.cwiseAbs().maxCoeff();
+        kUlps * std::numeric_limits<double>::epsilon() * job.tile.origin.cwiseAbs().maxCoeff();
     const double h = std::sqrt(job.lattice.area() / n_sites);
     if (!(periods.cwiseAbs().maxCoeff() * largest < kLargestOffset) ||
         !(rounding <= plane::kSameVertex * h)) {
@@ -48,23 +49,25 @@ void check_origin(const Job& job, const plane::Reduction& repeated, double n_sit
 }
 
 void check_grains(const Job& job) {
-    const double copies = double(job.columns) * job.rows;
+    const double copies = double(job.tile.columns) * job.tile.rows;
     const double n = std::max<double>(static_cast<double>(job.points.cols()), job.n_sites);
     // A regular hexagon with edges cut into k parts has 2.6 k^2 squares over them.
-    const double squares = job.grain_size > 0
-                               ? job.lattice.area() * copies / (job.grain_size * job.grain_size)
-                               : 2.6 * n * copies * job.grain_per_edge * job.grain_per_edge;
+    const double squares =
+        job.tile.grain_size > 0
+            ? job.lattice.area() * copies / (job.tile.grain_size * job.tile.grain_size)
+            : 2.6 * n * copies * job.tile.grain_per_edge * job.tile.grain_per_edge;
     if (squares > kMostGrainSquares) {
         throw LimitExceeded("grains of that size are more than pcvt holds; take larger ones");
     }
 }
 
 void check_repetition(const Job& job) {
-    if (job.columns < 1 || job.rows < 1) throw InvalidInput("a repetition is below 1; take 1 x 1");
-    if (job.columns <= kMostPeriods && job.rows <= kMostPeriods) return;
-    throw LimitExceeded("repeated " + std::to_string(job.columns) + " x " +
-                        std::to_string(job.rows) + ": more than " + std::to_string(kMostPeriods) +
-                        " periods in a row; repeat less often");
+    if (job.tile.columns < 1 || job.tile.rows < 1)
+        throw InvalidInput("a repetition is below 1; take 1 x 1");
+    if (job.tile.columns <= kMostPeriods && job.tile.rows <= kMostPeriods) return;
+    throw LimitExceeded("repeated " + std::to_string(job.tile.columns) + " x " +
+                        std::to_string(job.tile.rows) + ": more than " +
+                        std::to_string(kMostPeriods) + " periods in a row; repeat less often");
 }
 
 void check_meshes(const Job& job) {
@@ -72,58 +75,16 @@ void check_meshes(const Job& job) {
         throw InvalidInput("no mesh is given; take " +
                            listed_words(plane::kMeshKinds, ", ", " or "));
     }
-    const bool all_cut =
-        std::all_of(job.meshes.begin(), job.meshes.end(),
-                    [](plane::MeshKind kind) { return mesh_kind_row(kind).box_outline; });
-    if (job.outline == plane::Outline::kBox && !all_cut) {
-        throw InvalidInput(
-            "the box outline would cut Delaunay triangles, and cut ones are none; "
-            "take the mesh grains with the box outline, or the whole outline");
-    }
-    if (job.order != 1 && job.order != 2) throw InvalidInput("the order of grains is 1 or 2");
-    // A host may ask for grains later, so their choices never contradict each other.
-    if (job.grain_size > 0 && job.grain_per_edge > 0) {
-        throw InvalidInput("grains have a size and parts of an edge; take one of the two");
-    }
+    if (job.tile.order != 1 && job.tile.order != 2)
+        throw InvalidInput("the order of grains is 1 or 2");
     if (has_mesh(job, &plane::MeshKindRow::grain_size)) check_grains(job);
 }
 
 void check_stability(const Job& job, double n_sites) {
-    if (!job.stability) return;
-    if (job.density) {
-        throw InvalidInput("the stability of a run with a density is not known; leave one out");
-    }
-    if (n_sites > plane::kMostSitesForStability) {
-        throw InvalidInput("the stability is known of at most " +
-                           std::to_string(plane::kMostSitesForStability) +
-                           " sites; leave it out, or take fewer sites");
-    }
-}
-
-void check_density(const Job& job) {
-    if (!job.density) return;
-    if (job.start && !start_row(*job.start).with_sizes) {
-        throw InvalidInput(
-            "a lattice knows no density; leave the start out, or take coarse or random");
-    }
-}
-
-void check_areas(const Job& job) {
-    if (!job.areas) return;
-    if (job.density) {
-        throw InvalidInput(
-            "cells have prescribed areas or follow a density; leave one of the two out");
-    }
-    if (job.start && !start_row(*job.start).with_sizes) {
-        throw InvalidInput(
-            "the cells of a lattice are all alike; leave the start out, or take coarse or random");
-    }
-    if (job.solver != Job().solver) {
-        throw InvalidInput("prescribed areas have a solver of their own; leave the solver out");
-    }
-    if (job.stability) {
-        throw InvalidInput("the stability of prescribed areas is not known; leave one out");
-    }
+    if (!job.stability || n_sites <= plane::kMostSitesForStability) return;
+    throw InvalidInput("the stability is known of at most " +
+                       std::to_string(plane::kMostSitesForStability) +
+                       " sites; leave it out, or take fewer sites");
 }
 
 void check_aspect(const Job& job) {
@@ -137,17 +98,6 @@ void check_aspect(const Job& job) {
 
 void check_symmetry(const Job& job) {
     if (!job.symmetry) return;
-    if (job.points.cols() > 0) {
-        throw InvalidInput(
-            "the sites of a symmetry are drawn; leave the sites out, or the symmetry");
-    }
-    if (job.start && !start_row(*job.start).with_sizes) {
-        throw InvalidInput(
-            "a lattice knows no plane group; leave the start out, or take coarse or random");
-    }
-    if (job.areas) {
-        throw InvalidInput("cells of prescribed areas have no symmetry; leave one of the two out");
-    }
     const plane::PlaneGroup group(*job.symmetry, job.lattice);
     distribute(group, special_positions(group), job.n_sites);
     if (!job.aspect) return;
@@ -155,57 +105,6 @@ void check_symmetry(const Job& job) {
         const plane::PlaneGroup round(*job.symmetry, metric_of(job).to_round(job.lattice));
     } catch (const InvalidInput& error) {
         throw InvalidInput(std::string("elongated by the aspect: ") + error.what());
-    }
-}
-
-void check_wall_starts(const Job& job) {
-    if (job.symmetry) {
-        throw InvalidInput("sites have walls or a symmetry; leave one of the two out");
-    }
-    if (job.aspect) {
-        throw InvalidInput("elongated cells need a periodic plane; leave them out, or the walls");
-    }
-    if (job.start && !start_row(*job.start).with_sizes) {
-        throw InvalidInput(
-            "a lattice knows no walls; leave the start out, or take coarse or random");
-    }
-    if (job.stability) {
-        throw InvalidInput("the stability between walls is not known; leave one out");
-    }
-}
-
-void check_walls(const Job& job) {
-    if (job.walls == Walls::kNone) {
-        if (job.wall_cells == WallCells::kWhole) return;
-        throw InvalidInput("half cells lie on walls, but there are none; give the walls");
-    }
-    if (!is_upright(job.lattice)) {
-        throw InvalidInput("walls need a rectangle along x and y; give its period as W,H");
-    }
-    check_wall_starts(job);
-    const bool is_copied = (has_walls_across(job.walls, 0) && job.columns > 1) ||
-                           (has_walls_across(job.walls, 1) && job.rows > 1);
-    if (is_copied) {
-        throw InvalidInput("a tile is not repeated across its walls; repeat it along them");
-    }
-    const bool is_moved = (has_walls_across(job.walls, 0) && job.origin.x() != 0) ||
-                          (has_walls_across(job.walls, 1) && job.origin.y() != 0);
-    if (is_moved || job.finds_origin) {
-        throw InvalidInput(
-            "walls lie at 0 and at the period; give an origin along the walls only, or none");
-    }
-    const bool is_half = job.wall_cells == WallCells::kHalf;
-    if (is_half && job.max_iterations == 0) {
-        throw InvalidInput(
-            "the sites beside walls move onto them step by step; allow iterations, or take whole "
-            "cells");
-    }
-    const bool has_triangles = std::find(job.meshes.begin(), job.meshes.end(),
-                                         plane::MeshKind::kDelaunay) != job.meshes.end();
-    if (has_triangles && !is_half) {
-        throw InvalidInput(
-            "Delaunay triangles cross the walls unless sites lie on them; take half cells at the "
-            "walls, or the mesh grains");
     }
 }
 
@@ -218,9 +117,6 @@ bool has_mesh(const Job& job, bool plane::MeshKindRow::*property) {
 
 void check_retries(const Job& job, const std::vector<JobFile>& files) {
     if (job.retries == 0) return;
-    if (job.points.cols() > 0 || job.start == Start::kLattice) {
-        throw InvalidInput("--retry takes other seeds, but these sites have none; leave it out");
-    }
     const bool refusable = std::any_of(
         files.begin(), files.end(), [](const JobFile& file) { return file.format->needs_torus(); });
     if (!refusable) {
@@ -230,23 +126,21 @@ void check_retries(const Job& job, const std::vector<JobFile>& files) {
 }
 
 void check_job(const Job& job) {
-    check_density(job);
-    check_areas(job);
+    require_compatible(job);
     check_aspect(job);
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
     if (n < 1) throw InvalidInput("no sites; give at least one");
     check_symmetry(job);
-    check_walls(job);
     check_constraints(job);
-    if (job.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
-    if (!(job.short_edges >= 0 && job.short_edges <= kLongestShortEdge)) {
+    if (job.run.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
+    if (!(job.tile.short_edges >= 0 && job.tile.short_edges <= kLongestShortEdge)) {
         throw InvalidInput("the length under which edges are removed is not between 0 and 0.5 h");
     }
     check_repetition(job);
     check_stability(job, n);
     require_orientations(job.materials, static_cast<int>(n));
     check_meshes(job);
-    if (n * job.columns * job.rows > plane::kMostSites) {
+    if (n * job.tile.columns * job.tile.rows > plane::kMostSites) {
         throw LimitExceeded("more than " + std::to_string(plane::kMostSites) +
                             " cells in one tile; take fewer sites or repeat less often");
     }

@@ -16,53 +16,6 @@ namespace {
 
 constexpr const char* kFibreTag = "fibre";
 
-/// A choice that fixed sites and inclusions exclude, and the remedy.
-struct Exclusion {
-    bool (*is_made)(const Job& job);
-    const char* message;
-};
-
-constexpr std::array kExclusions{
-    Exclusion{[](const Job& job) { return job.points.cols() > 0; },
-              "sites beside fixed ones and inclusions are drawn; give a number of sites instead of "
-              "their positions"},
-    Exclusion{[](const Job& job) { return job.symmetry.has_value(); },
-              "fixed sites and inclusions have no symmetry; leave one of the two out"},
-    Exclusion{[](const Job& job) { return job.areas.has_value(); },
-              "cells of prescribed areas have neither fixed sites nor inclusions; leave the areas "
-              "out"},
-    Exclusion{[](const Job& job) { return job.start && *job.start != Start::kRandom; },
-              "sites beside fixed ones and inclusions start at random; leave the start out"},
-    Exclusion{[](const Job& job) { return job.stability; },
-              "the stability with fixed sites or inclusions is not known; leave one out"},
-};
-
-constexpr std::array kFixedExclusions{
-    Exclusion{[](const Job& job) { return job.walls != Walls::kNone; },
-              "fixed sites need a plane that is periodic along both directions; leave the walls "
-              "out"},
-};
-
-constexpr std::array kInclusionExclusions{
-    Exclusion{[](const Job& job) { return job.inclusions && job.fibres; },
-              "fibres are inclusions in random places; leave one of the two out"},
-    Exclusion{[](const Job& job) { return job.fixed.cols() > 0; },
-              "inclusions have fixed sites of their own; leave one of the two out"},
-    Exclusion{[](const Job& job) { return job.aspect.has_value(); },
-              "cells beside inclusions are not elongated; leave the aspect out"},
-    Exclusion{[](const Job& job) { return !job.materials.phases.empty(); },
-              "the tags of inclusions are the phases of their cells; leave the phases out"},
-    Exclusion{[](const Job& job) { return job.materials.has_orientations(); },
-              "--orientations gives each cell a crystal of its own, but inclusions and the matrix "
-              "consist of many cells each; leave the orientations out"},
-};
-
-void require_none(std::span<const Exclusion> exclusions, const Job& job) {
-    for (const Exclusion& exclusion : exclusions) {
-        if (exclusion.is_made(job)) throw InvalidInput(exclusion.message);
-    }
-}
-
 /// The inclusions of the user, or random fibres.
 InclusionFile inclusions_of(const Job& job) {
     if (job.inclusions) return *job.inclusions;
@@ -119,9 +72,6 @@ void require_hole(const std::string& hole, const std::vector<std::string>& tags)
 
 void check_holes(const Job& job) {
     if (job.holes.empty()) return;
-    if (!job.has_inclusions()) {
-        throw InvalidInput("holes are inclusions that are left out; give inclusions or fibres");
-    }
     const std::vector<std::string> tags = inclusion_tags(job);
     for (std::size_t k = 0; k < job.holes.size(); ++k) {
         require_hole(job.holes[k], tags);
@@ -183,14 +133,11 @@ void set_tags(const InclusionFile& file, Tessellation& cells) {
 void check_constraints(const Job& job) {
     check_names(job);
     check_holes(job);
-    if (job.fixed.cols() > 0 || job.has_inclusions()) require_none(kExclusions, job);
-    if (job.fixed.cols() > 0) require_none(kFixedExclusions, job);
     if (job.fixed.cols() > job.n_sites) {
         throw InvalidInput("there are more fixed sites (" + std::to_string(job.fixed.cols()) +
                            ") than sites (" + std::to_string(job.n_sites) + "); take more sites");
     }
     if (!job.has_inclusions()) return;
-    require_none(kInclusionExclusions, job);
     if (job.fibres) {
         require_sites(job,
                       job.fibres->n * fewest_seeds(plane::Circle{.centre = {0, 0}, .radius = 1}));
@@ -209,7 +156,8 @@ Tessellation compute_cells_with_inclusions(const Job& job, const plane::CvtOptio
     const InclusionFile file = inclusions_of(job);
     plane::InterfaceCvt result = named(file, [&] {
         plane::InclusionSet set(job.lattice, file.inclusions, job.walls);
-        if (job.outline == plane::Outline::kBox && !job.finds_origin) set.set_box(job.origin);
+        if (job.tile.outline == plane::Outline::kBox && !job.tile.finds_origin)
+            set.set_box(job.tile.origin);
         return compute_interface_cvt(set, job.n_sites, job.seed, options, job.wall_cells);
     });
     const plane::PeriodicMesh cells = cell_mesh(result.cvt.delaunay);

@@ -8,6 +8,7 @@
 #include "io/elements/triangle_elements.hpp"
 #include "io/outputs/distinct_paths.hpp"
 #include "io/solvers/inp_sections.hpp"
+#include "plugin/job/features.hpp"
 #include "plugin/job/job_checks.hpp"
 
 namespace pcvt {
@@ -106,47 +107,10 @@ std::string extensions(const std::string& separator, const Keep& keep) {
 constexpr double kLeastCutWidth = 1e-3;
 constexpr double kLargestCutWidth = 1e6;
 
-/// A choice that files hold, as messages name it, and the formats that take it.
-struct FileChoice {
-    const char* name;
-    bool TileFormat::*taken;
-    bool (*is_made)(const Job& job);
-};
-constexpr FileChoice kFileChoices[] = {
-    {"glTF nodes", &TileFormat::takes_gltf_nodes,
-     [](const Job& job) { return job.file_options.gltf_nodes != GltfNodes::kBySize; }},
-    {"32-bit coordinates", &TileFormat::takes_single_precision,
-     [](const Job& job) { return job.file_options.single_precision; }},
-    {"a number of pixels", &TileFormat::takes_pixels,
-     [](const Job& job) { return job.file_options.pixels != 0; }},
-    {"a number of voxels", &TileFormat::takes_voxels,
-     [](const Job& job) { return job.file_options.voxels != plane::VoxelCounts{}; }},
-    {"a Coriolis parameter", &TileFormat::takes_coriolis,
-     [](const Job& job) { return job.file_options.coriolis.has_value(); }},
-    {"a width to cut", &TileFormat::takes_cut_width,
-     [](const Job& job) { return job.file_options.cut_width != 0; }},
-    {"a type of elements", &TileFormat::takes_element,
-     [](const Job& job) { return job.file_options.element != PlaneElement::kStrain; }},
-    {"a job of a solver", &TileFormat::takes_job,
-     [](const Job& job) { return job.file_options.job != SolverJob::kNone; }},
-    {"elastic constants", &TileFormat::takes_constants,
-     [](const Job& job) { return !job.file_options.elastic.empty(); }},
-    {"a thickness", &TileFormat::takes_thickness,
-     [](const Job& job) { return job.file_options.thickness != 0; }},
-    {"a colouring", &TileFormat::takes_colouring,
-     [](const Job& job) { return job.file_options.colouring.has_value(); }},
-    {"a background", &TileFormat::takes_background,
-     [](const Job& job) { return job.file_options.background.has_value(); }},
-    {"phases", &TileFormat::takes_phases,
-     [](const Job& job) { return !job.materials.phases.empty(); }},
-    {"orientations", &TileFormat::takes_orientations,
-     [](const Job& job) { return job.materials.has_orientations(); }},
-};
-
-std::string extensions_that_take(const FileChoice& choice) {
+std::string extensions_that_take(const FeatureRow& feature) {
     std::string text;
     for (const TileFormat& format : tile_formats()) {
-        if (!(format.*choice.taken)) continue;
+        if (!(format.*feature.taken)) continue;
         text += (text.empty() ? "" : " or ") + std::string(format.extension);
     }
     return text;
@@ -183,45 +147,19 @@ void check_constants(const Job& job, const std::vector<JobFile>& files,
     require_materials_of(options.elastic, phases);
 }
 
-/// @throws InvalidInput if the run has nothing that the colours could show.
-void check_colouring(const Job& job, Colouring colouring) {
-    switch (colouring_row(colouring).needs) {
-        case ColouringNeed::kNothing:
-            return;
-        case ColouringNeed::kDensity:
-            if (job.density) return;
-            throw InvalidInput(
-                "there is no density to show in colours; give one, or colour by size");
-        case ColouringNeed::kPhases:
-            if (!job.materials.phases.empty() || job.has_inclusions()) return;
-            throw InvalidInput(
-                "there are no phases to show in colours; give some, or colour by size");
-        case ColouringNeed::kOrbits:
-            if (job.symmetry) return;
-            throw InvalidInput(
-                "there is no symmetry whose orbits colours could show; give one, or colour by "
-                "cells");
-        case ColouringNeed::kTags:
-            if (job.has_inclusions()) return;
-            throw InvalidInput(
-                "there are no inclusions whose tags colours could show; give some, or colour by "
-                "size");
-    }
-}
-
 }  // namespace
 
 FormatRequest format_request(const Job& job, plane::MeshKind kind) {
-    return {.lattice = job.lattice.repeated(job.columns, job.rows),
+    return {.lattice = job.lattice.repeated(job.tile.columns, job.tile.rows),
             .kind = kind,
-            .outline = job.outline,
-            .short_edges = job.short_edges,
+            .outline = job.tile.outline,
+            .short_edges = job.tile.short_edges,
             .n_sites = job.points.cols() > 0 ? double(job.points.cols()) : job.n_sites,
-            .n_periods = double(job.columns) * job.rows,
+            .n_periods = double(job.tile.columns) * job.tile.rows,
             .walls = job.walls,
             .has_holes = !job.holes.empty(),
             .has_weights = job.areas.has_value(),
-            .origin = job.origin,
+            .origin = job.tile.origin,
             .files = job.file_options};
 }
 
@@ -262,7 +200,7 @@ std::vector<JobFile> plan_files(const Job& job) {
 }
 
 void check_order(const Job& job, const std::vector<JobFile>& files) {
-    if (job.order == 1 || files.empty()) return;
+    if (job.tile.order == 1 || files.empty()) return;
     const bool held = std::any_of(files.begin(), files.end(), [](const JobFile& file) {
         return file.format->highest_order > 1;
     });
@@ -273,21 +211,21 @@ void check_order(const Job& job, const std::vector<JobFile>& files) {
 
 void check_file_options(const Job& job, const std::vector<JobFile>& files,
                         const std::vector<std::string>& phases) {
-    if (job.file_options.colouring) check_colouring(job, *job.file_options.colouring);
+    require_compatible(job);
     const double cut_width = job.file_options.cut_width;
     if (cut_width != 0 && !(cut_width >= kLeastCutWidth && cut_width <= kLargestCutWidth)) {
         throw InvalidInput("the width to cut is not between 0.001 and 1e6 mm");
     }
-    for (const FileChoice& choice : kFileChoices) {
+    for (const FeatureRow& feature : features()) {
+        if (feature.taken == nullptr || files.empty() || !feature.is_chosen(job)) continue;
         // Files for cutters have no colours and no background.
         const bool taken = std::any_of(files.begin(), files.end(), [&](const JobFile& file) {
             const bool is_cut = cut_width != 0 && file.format->takes_cut_width;
-            return file.format->*choice.taken &&
-                   (!is_cut || choice.taken == &TileFormat::takes_cut_width);
+            return file.format->*feature.taken && (!is_cut || feature.feature == Feature::kCut);
         });
-        if (taken || files.empty() || !choice.is_made(job)) continue;
-        throw InvalidInput(std::string("no output takes ") + choice.name + "; add one of " +
-                           extensions_that_take(choice) + ", or leave the option out");
+        if (taken) continue;
+        throw InvalidInput(std::string("no output takes ") + feature.in_files + "; add one of " +
+                           extensions_that_take(feature) + ", or leave the option out");
     }
     check_constants(job, files, phases);
     if (job.file_options.gltf_nodes == GltfNodes::kCells &&

@@ -99,18 +99,18 @@ double n_sites(const Job& job) {
 
 /// The number of triangles of the grains, those with mid-side nodes counted as several.
 double n_grain_triangles(const Job& job) {
-    const double copies = double(job.columns) * job.rows;
+    const double copies = double(job.tile.columns) * job.tile.rows;
     // Edges of the default size are h / 3; a regular hexagon has edges of 0.62 h.
-    const double parts = job.grain_per_edge > 0 ? 1.6 * job.grain_per_edge : 3;
-    const double squares = job.grain_size > 0
-                               ? job.lattice.area() * copies / (job.grain_size * job.grain_size)
-                               : n_sites(job) * copies * parts * parts;
-    return kTrianglesPerSquare * squares * (job.order == 2 ? kOrder2 : 1);
+    const double parts = job.tile.grain_per_edge > 0 ? 1.6 * job.tile.grain_per_edge : 3;
+    const double squares = job.tile.grain_size > 0 ? job.lattice.area() * copies /
+                                                         (job.tile.grain_size * job.tile.grain_size)
+                                                   : n_sites(job) * copies * parts * parts;
+    return kTrianglesPerSquare * squares * (job.tile.order == 2 ? kOrder2 : 1);
 }
 
 double mesh_bytes(const Job& job, plane::MeshKind kind, const FormatMemory& bytes) {
     if (mesh_kind_row(kind).grain_size) return bytes.grain * n_grain_triangles(job);
-    const double copies = double(job.columns) * job.rows;
+    const double copies = double(job.tile.columns) * job.tile.rows;
     const double a_site = kind == plane::MeshKind::kVoronoi ? bytes.cell : 2 * bytes.triangle;
     return a_site * n_sites(job) * (kOfSites + (1 - kOfSites) * copies);
 }
@@ -137,7 +137,7 @@ double file_bytes(const Job& job, const JobFile& file) {
 
 /// The sites, from their start to the end of their optimisation.
 double site_bytes(const Job& job) {
-    const bool is_fixed = job.max_iterations == 0;
+    const bool is_fixed = job.run.max_iterations == 0;
     const double moving = job.areas ? (is_fixed ? kFittingAreas : kMovingWithAreas)
                                     : (is_fixed ? kTriangulating : kOptimising);
     return n_sites(job) * (moving + (job.density ? kWithDensity : 0));
@@ -150,13 +150,13 @@ double tile_bytes(const Job& job, const std::vector<JobFile>& files) {
     for (const JobFile& file : files) writing.push_back(file_bytes(job, file));
     std::sort(writing.begin(), writing.end(), std::greater<>());
     const std::size_t n_at_once =
-        std::min(writing.size(), static_cast<std::size_t>(std::max(1, job.n_threads)));
+        std::min(writing.size(), static_cast<std::size_t>(std::max(1, job.run.n_threads)));
     double meshes = 0;
     for (std::size_t k = 0; k < n_at_once; ++k)
         meshes += (k == 0 ? 1 : kBesideAnother) * writing[k];
     // All tiles of a job are built before the first file is written.
     if (needs_tiles(job, files)) {
-        const FormatMemory& built = job.outline == plane::Outline::kBox ? kBuiltBox : kBuilt;
+        const FormatMemory& built = job.tile.outline == plane::Outline::kBox ? kBuiltBox : kBuilt;
         meshes = std::max(meshes, mesh_bytes(job, job.meshes.front(), built));
         for (std::size_t k = 1; k < job.meshes.size(); ++k) {
             meshes += mesh_bytes(job, job.meshes[k], kHeld);
@@ -181,7 +181,7 @@ void require_available(const std::string& what, double estimate, const char* rem
 
 double estimated_memory(const Job& job, const std::vector<JobFile>& files) {
     const double from_file = job.points.cols() > 0 ? kFromFile * n_sites(job) : 0;
-    return kCommandBytes + kThreadBytes * job.n_threads + from_file +
+    return kCommandBytes + kThreadBytes * job.run.n_threads + from_file +
            std::max(site_bytes(job), tile_bytes(job, files));
 }
 
@@ -196,14 +196,14 @@ void require_memory_to_write(const Job& job, const std::vector<JobFile>& files) 
 }
 
 void require_memory_for_mesh(const Job& job, plane::MeshKind kind) {
-    const double copies = double(job.columns) * job.rows;
+    const double copies = double(job.tile.columns) * job.tile.rows;
     if (mesh_kind_row(kind).grain_size) {
         require_available("the tile takes",
                           kHanded.grain * n_grain_triangles(job) * (job.aspect ? kMappedGrains : 1),
                           "take fewer sites, or larger grains");
         return;
     }
-    const double boxed = job.outline == plane::Outline::kBox ? kBoxedCells : 1;
+    const double boxed = job.tile.outline == plane::Outline::kBox ? kBoxedCells : 1;
     const double a_site =
         kind == plane::MeshKind::kVoronoi ? boxed * kHanded.cell : 2 * kHanded.triangle;
     require_available("the mesh takes", a_site * n_sites(job) * copies,

@@ -38,7 +38,7 @@ using JobCallback = std::function<bool(const JobProgress&)>;
 /// run.
 ///
 ///   JobMonitor monitor(callback, {.tolerance = 1e-6});
-///   compute_cvt(lattice, points, {.progress = [&](auto& p) { return monitor.iteration(p); }});
+///   compute_cvt(lattice, points, {{.progress = [&](auto& p) { return monitor.iteration(p); }}});
 ///   monitor.watch([&] {
 ///       monitor.begin(Phase::kBuilding, "building the tile");
 ///       build();

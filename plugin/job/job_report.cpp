@@ -145,7 +145,7 @@ void append_run(JsonWriter& json, const Job& job, const RunSummary& summary) {
     json.member("sites", summary.n_sites);
     append_lattice(json, "lattice", job.lattice);
     json.member("seed", summary.seed);
-    json.member("solver", solver_row(job.solver).word);
+    json.member("solver", solver_row(job.run.solver).word);
     json.member("start", start_name(job));
     json.member("stop", stop_name(summary.run.stop));
     json.member("iterations", summary.run.iterations);
@@ -159,7 +159,7 @@ void append_run(JsonWriter& json, const Job& job, const RunSummary& summary) {
     json.member("hexagons", summary.n_hexagons);
     append_counts(json, "valences", summary.valences);
     json.member("mirrors", summary.n_mirrors);
-    json.member("threads", job.n_threads);
+    json.member("threads", job.run.n_threads);
     json.object("seconds", [&] {
         json.member("build", summary.seconds.build);
         json.member("optimize", summary.seconds.optimize);

@@ -29,10 +29,11 @@ class FileEncoder {
     }
     std::vector<EncodedFile> operator()(TorusWriter* write) const {
         const plane::PeriodicMesh cells =
-            repeated(plane_mesh(result_.cells, plane::MeshKind::kVoronoi), job_.columns, job_.rows);
+            repeated(plane_mesh(result_.cells, plane::MeshKind::kVoronoi), job_.tile.columns,
+                     job_.tile.rows);
         try {
             return write({.cells = cells,
-                          .origin = job_.origin,
+                          .origin = job_.tile.origin,
                           .site_densities = result_.site_densities,
                           .coriolis = job_.file_options.coriolis,
                           .history = history()},
@@ -52,16 +53,16 @@ class FileEncoder {
     std::vector<EncodedFile> operator()(VoxelWriter* write) const {
         const plane::VoxelCounts counts =
             requested_voxels(format_request(job_, plane::MeshKind::kVoronoi));
-        const plane::VoxelGrid grid =
-            voxel_grid(job_.lattice.repeated(job_.columns, job_.rows), job_.origin, counts);
+        const plane::VoxelGrid grid = voxel_grid(
+            job_.lattice.repeated(job_.tile.columns, job_.tile.rows), job_.tile.origin, counts);
         const plane::VoxelCells cells{.lattice = job_.lattice,
                                       .sites = sites(),
                                       .weights = site_weights(result_.cells),
                                       .metric = result_.cells.elongation
                                                     ? result_.cells.elongation->metric
                                                     : plane::Metric()};
-        return write(voxel_image(result_.cells.delaunay, cells.metric, grid, job_.n_threads), cells,
-                     materials(), job_.file_options.elastic, path());
+        return write(voxel_image(result_.cells.delaunay, cells.metric, grid, job_.run.n_threads),
+                     cells, materials(), job_.file_options.elastic, path());
     }
 
     CellRows cell_rows() const {
@@ -94,7 +95,7 @@ class FileEncoder {
         const bool are_cells = faces_have_sites(tile().kind) || !file_.format->states_materials;
         return are_cells ? materials() : none;
     }
-    plane::Points sites() const { return wrapped_sites(result_.cells, job_.origin); }
+    plane::Points sites() const { return wrapped_sites(result_.cells, job_.tile.origin); }
     const plane::Tile& tile() const { return tiles_[static_cast<std::size_t>(file_.mesh)].tile; }
 
    private:
@@ -200,12 +201,13 @@ std::vector<std::string> stage_files(const Job& job, const std::vector<JobFile>&
     FileProgress progress(files, monitor);
     std::vector<std::exception_ptr> faults(files.size());
     std::vector<std::string> refused(files.size());
-    Workers workers(std::min(job.n_threads, static_cast<int>(files.size())));
+    Workers workers(std::min(job.run.n_threads, static_cast<int>(files.size())));
     workers.for_each(static_cast<int>(files.size()), [&](int k) {
         try {
             progress.begin(static_cast<std::size_t>(k));
             try {
-                stage_file({job, files[k], result, tiles}, files[k], job.origin, progress, outputs);
+                stage_file({job, files[k], result, tiles}, files[k], job.tile.origin, progress,
+                           outputs);
             } catch (const CoarsePrecision& error) {
                 refused[k] = error.what();
             }

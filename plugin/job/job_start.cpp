@@ -34,11 +34,10 @@ JobStart random_start(const Job& job, const ProgressCallback& /*callback*/) {
 }
 
 JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
-    const plane::CoarseStartOptions options{.seed = job.seed,
-                                            .n_threads = job.n_threads,
-                                            .density = job.density,
-                                            .walls = job.walls,
-                                            .progress = callback};
+    const plane::CoarseStartOptions options{
+        .run = {.seed = job.seed, .n_threads = job.run.n_threads, .progress = callback},
+        .density = job.density,
+        .walls = job.walls};
     JobStart start;
     start.precondition_below = plane::kPreconditionAfterCoarse;
     if (job.symmetry) {
@@ -64,7 +63,7 @@ JobStart best_start(const Job& job, const ProgressCallback& callback) {
     const int budget = job.budget > 0 ? job.budget : plane::default_search_budget(job.n_sites);
     plane::SearchResult result = search_minimum(
         job.lattice, job.n_sites,
-        {.seed = job.seed, .budget = budget, .n_threads = job.n_threads, .progress = callback});
+        {.seed = job.seed, .budget = budget, .n_threads = job.run.n_threads, .progress = callback});
     JobStart start;
     start.points = std::move(result.points);
     start.figures.pattern = PatternOutcome{result.lattice, lattice_stability(result.lattice)};
@@ -79,24 +78,28 @@ constexpr std::array kStarts{StartRow{.start = Start::kRandom,
                                       .word = "random",
                                       .abi_value = 1,
                                       .with_sizes = true,
+                                      .in_space = true,
                                       .help = "",
                                       .make = random_start},
                              StartRow{.start = Start::kCoarse,
                                       .word = "coarse",
                                       .abi_value = 2,
                                       .with_sizes = true,
+                                      .in_space = true,
                                       .help = "few sites first, then\nbetween them more",
                                       .make = coarse_job_start},
                              StartRow{.start = Start::kLattice,
                                       .word = "lattice",
                                       .abi_value = 3,
                                       .with_sizes = false,
+                                      .in_space = true,
                                       .help = "at the exact lattice with the lowest\nenergy",
                                       .make = lattice_start},
                              StartRow{.start = Start::kBest,
                                       .word = "best",
                                       .abi_value = 4,
                                       .with_sizes = false,
+                                      .in_space = false,
                                       .help = "after a global search",
                                       .make = best_start}};
 
@@ -138,7 +141,7 @@ Start chosen_start(const Job& job) {
     // higher.
     const int order = job.symmetry ? plane::PlaneGroup(*job.symmetry, job.lattice).order() : 1;
     const bool many = job.n_sites / order >= kFewestForCoarse;
-    const bool coarse = many && job.max_iterations != 0 && alike;
+    const bool coarse = many && job.run.max_iterations != 0 && alike;
     return coarse ? Start::kCoarse : Start::kRandom;
 }
 

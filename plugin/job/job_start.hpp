@@ -35,6 +35,8 @@ struct StartRow {
     int abi_value;
     /// Whether cells of different sizes, by a density or by prescribed areas, can begin there.
     bool with_sizes;
+    /// Whether sites in space can begin there.
+    bool in_space;
     /// For the command's help, with its line breaks; may be empty.
     const char* help;
     JobStart (*make)(const Job& job, const ProgressCallback& callback);

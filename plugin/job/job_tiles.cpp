@@ -11,21 +11,14 @@ namespace {
 
 plane::BuiltTile built_tile(const Job& job, const Tessellation& cells, plane::MeshKind kind,
                             const std::function<void(double)>& progress) {
-    return build_tile(cells.delaunay, {.kind = kind,
-                                       .outline = job.outline,
-                                       .short_edges = job.short_edges,
-                                       .grain_size = job.grain_size,
-                                       .grain_per_edge = job.grain_per_edge,
-                                       .order = job.order,
-                                       .columns = job.columns,
-                                       .rows = job.rows,
-                                       .origin = job.origin,
-                                       .finds_origin = job.finds_origin,
-                                       .elongation = cells.elongation,
-                                       .walled = cells.walled,
-                                       .site_tags = cells.site_tags,
-                                       .holes = cells.holes,
-                                       .progress = progress});
+    plane::TileOptions options = job.tile;
+    options.kind = kind;
+    options.elongation = cells.elongation;
+    options.walled = cells.walled;
+    options.site_tags = cells.site_tags;
+    options.holes = cells.holes;
+    options.progress = progress;
+    return build_tile(cells.delaunay, options);
 }
 
 /// "building the tile" if the job has one mesh, "building grains, 2 of 3" if it has several.
@@ -52,7 +45,8 @@ void for_each_mesh(const Job& job, JobMonitor& monitor, Phase phase, const std::
 }  // namespace
 
 bool needs_tiles(const Job& job, const std::vector<JobFile>& files) {
-    return job.outline == plane::Outline::kBox || has_mesh(job, &plane::MeshKindRow::grain_size) ||
+    return job.tile.outline == plane::Outline::kBox ||
+           has_mesh(job, &plane::MeshKindRow::grain_size) ||
            std::any_of(files.begin(), files.end(),
                        [](const JobFile& file) { return file.format->needs_tile(); });
 }

@@ -34,16 +34,13 @@ std::vector<int> counted_by_sites(std::vector<int> site_orbits) {
 Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
                            const std::function<void()>& built) {
     plane::CvtOptions options;
+    options.run = job.run;
     options.precondition_below = start.precondition_below;
-    options.solver = job.solver;
-    options.tolerance = job.tolerance;
-    options.max_iterations = job.max_iterations;
-    options.n_threads = job.n_threads;
     options.numbering = start.numbering;
     options.density = job.density;
     options.fixed.resize(static_cast<std::size_t>(job.fixed.cols()));
     std::iota(options.fixed.begin(), options.fixed.end(), 0);
-    options.progress = [&, first = true](const Progress& progress) mutable {
+    options.run.progress = [&, first = true](const Progress& progress) mutable {
         // The first call comes once the first triangulation is built and evaluated.
         if (std::exchange(first, false)) built();
         return monitor.iteration(progress);
@@ -75,11 +72,11 @@ Tessellation compute_power_cells(const Job& job, JobStart& start, JobMonitor& mo
     plane::AreaCvtOptions options;
     options.areas = std::move(start.areas);
     options.numbering = start.numbering;
-    options.centroidal_steps = job.max_iterations;
-    options.tolerance = job.tolerance;
-    options.n_threads = job.n_threads;
+    options.centroidal_steps = job.run.max_iterations;
+    options.tolerance = job.run.tolerance;
+    options.n_threads = job.run.n_threads;
     options.progress = [&](const Progress& progress) { return monitor.iteration(progress); };
-    options.newton_progress = [&, first = true](const plane::AreaFigures& areas) mutable {
+    options.newton_progress = [&, first = true](const SizeFigures& areas) mutable {
         // The first call comes once the first triangulation is built and measured.
         if (std::exchange(first, false)) built();
         monitor.newton_step(areas.newton_steps, areas.largest_relative_error);
@@ -214,7 +211,7 @@ plane::Points progress_sites(const Job& job, const Progress& progress) {
     const plane::Metric metric = metric_of(job);
     plane::Points points = (*progress.positions)();
     for (auto p : points.colwise()) p = metric.from_round(p);
-    return wrapped(std::move(points), job.lattice, job.origin, job.walls);
+    return wrapped(std::move(points), job.lattice, job.tile.origin, job.walls);
 }
 
 double energy_bound(const Tessellation& tessellation) {

@@ -40,7 +40,7 @@ struct InterfaceFigures {
 ///
 /// Example usage:
 ///     const PeriodicMesh cells = plane_mesh(tessellation, MeshKind::kVoronoi);
-///     const Points sites = wrapped_sites(tessellation, job.origin);
+///     const Points sites = wrapped_sites(tessellation, job.tile.origin);
 struct Tessellation {
     /// In the round space of `elongation`, if there is one. With weights in a run with areas.
     plane::PeriodicDelaunay delaunay;
@@ -54,7 +54,7 @@ struct Tessellation {
     /// Of a run with a density.
     std::optional<plane::DensityFigures> density = {};
     /// Of a run with areas.
-    std::optional<plane::AreaFigures> areas = {};
+    std::optional<SizeFigures> areas = {};
 
     /// Of a run with a symmetry: the orbit of each site. Orbits are counted from 0 in the order of
     /// their first sites.
@@ -105,7 +105,7 @@ std::vector<int> cell_sides(const Tessellation& tessellation);
 
 /// The figures of a run with prescribed areas.
 struct AreaSummary {
-    plane::AreaFigures newton;
+    SizeFigures newton;
     /// The factor that took given areas to the area of the domain; `nullopt` for those of a law.
     std::optional<double> scale = {};
     /// Standard deviation over mean of the equivalent diameters.

@@ -36,8 +36,8 @@ double seconds_since(Clock::time_point begin) {
 
 JobMonitor::Target target_of(const SpaceJob& job) {
     JobMonitor::Target target;
-    target.tolerance = job.tolerance;
-    target.max_iterations = job.max_iterations;
+    target.tolerance = job.run.tolerance;
+    target.max_iterations = job.run.max_iterations;
     return target;
 }
 
@@ -48,11 +48,12 @@ Eigen::Matrix3d period_matrix(const space::Lattice& lattice) {
 }
 
 space::Points coarse_points(const SpaceJob& job, JobMonitor& monitor) {
-    space::Points points = space::coarse_start(
-        job.lattice, job.n_sites,
-        {.seed = job.seed, .n_threads = job.n_threads, .progress = [&](const Progress& progress) {
-             return monitor.start_iteration(progress);
-         }});
+    space::Points points = space::coarse_start(job.lattice, job.n_sites,
+                                               {{.seed = job.seed,
+                                                 .n_threads = job.run.n_threads,
+                                                 .progress = [&](const Progress& progress) {
+                                                     return monitor.start_iteration(progress);
+                                                 }}});
     if (points.cols() == 0) throw Cancelled{};
     return points;
 }
@@ -81,7 +82,7 @@ std::string run_takes(const SpaceJob& job) {
 
 /// The best lattice and its stability, if the run begins there.
 std::optional<SpacePatternOutcome> find_pattern(const SpaceJob& job) {
-    if (job.points.cols() > 0 || chosen_start(job) != SpaceStart::kLattice) return std::nullopt;
+    if (job.points.cols() > 0 || chosen_start(job) != Start::kLattice) return std::nullopt;
     const space::LatticePattern pattern =
         space::best_lattice(period_matrix(job.lattice), job.n_sites);
     return SpacePatternOutcome{pattern, space::lattice_stability(pattern)};
@@ -91,18 +92,14 @@ space::Points start_points(const SpaceJob& job, const std::optional<SpacePattern
                            JobMonitor& monitor) {
     if (job.points.cols() > 0) return job.points;
     if (pattern) return pattern_points(pattern->lattice);
-    if (chosen_start(job) == SpaceStart::kCoarse) return coarse_points(job, monitor);
+    if (chosen_start(job) == Start::kCoarse) return coarse_points(job, monitor);
     return uniform_points(job.lattice, job.n_sites, job.seed);
 }
 
 space::CvtResult optimise(const SpaceJob& job, const space::Points& points, JobMonitor& monitor) {
-    space::CvtResult result = space::compute_cvt(
-        job.lattice, points,
-        {.solver = job.solver,
-         .tolerance = job.tolerance,
-         .max_iterations = job.max_iterations,
-         .n_threads = job.n_threads,
-         .progress = [&](const Progress& progress) { return monitor.iteration(progress); }});
+    space::CvtOptions options{job.run};
+    options.run.progress = [&](const Progress& progress) { return monitor.iteration(progress); };
+    space::CvtResult result = space::compute_cvt(job.lattice, points, options);
     if (result.run.stop == Stop::kCancelled) throw Cancelled{};
     return result;
 }
@@ -257,9 +254,9 @@ void settle_duplicates(SpaceJob& job) {
     job.n_tetrahedra = expected_tetrahedra(space::Sites(job.lattice, job.points));
 }
 
-SpaceStart chosen_start(const SpaceJob& job) {
-    const bool coarse = job.n_sites >= kFewestForCoarse && job.max_iterations != 0;
-    return job.start.value_or(coarse ? SpaceStart::kCoarse : SpaceStart::kRandom);
+Start chosen_start(const SpaceJob& job) {
+    const bool coarse = job.n_sites >= kFewestForCoarse && job.run.max_iterations != 0;
+    return job.start.value_or(coarse ? Start::kCoarse : Start::kRandom);
 }
 
 double energy_bound(const SpaceJob& job) {

@@ -10,37 +10,16 @@
 
 #include "io/bytes/output_error.hpp"
 #include "io/space_formats.hpp"
-#include "mesher/cvt/solvers.hpp"
+#include "mesher/cvt/run_options.hpp"
 #include "mesher/space/cvt/cvt.hpp"
 #include "mesher/space/cvt/minimum.hpp"
 #include "mesher/space/mesh/short_edges.hpp"
 #include "mesher/space/proof/polyhedral_proof.hpp"
 #include "mesher/space/search/lattice_stability.hpp"
 #include "mesher/torus/coincident_sites.hpp"
-#include "plugin/job/job_progress.hpp"
+#include "plugin/job/job.hpp"
 
 namespace pcvt {
-
-/// Where the sites begin when none are given: at random, from coarse to fine, or at the best exact
-/// lattice for their number.
-enum class SpaceStart { kRandom, kCoarse, kLattice };
-
-/// Rows of the tables of choices (mesher/base/choices.hpp), with the numbers of pcvt.h.
-struct SpaceStartRow {
-    SpaceStart start;
-    const char* word;
-    int abi_value;
-};
-inline constexpr std::array kSpaceStarts{SpaceStartRow{SpaceStart::kRandom, "random", 1},
-                                         SpaceStartRow{SpaceStart::kCoarse, "coarse", 2},
-                                         SpaceStartRow{SpaceStart::kLattice, "lattice", 3}};
-struct SpaceSolverRow {
-    Solver solver;
-    const char* word;
-    int abi_value;
-};
-inline constexpr std::array kSpaceSolvers{SpaceSolverRow{Solver::kLbfgs, "lbfgs", 1},
-                                          SpaceSolverRow{Solver::kLloyd, "lloyd", 2}};
 
 /// The description of a run in three dimensions.
 ///
@@ -63,14 +42,10 @@ struct SpaceJob {
     double n_tetrahedra = 0;
     int n_sites = 0;
     /// None: pcvt chooses.
-    std::optional<SpaceStart> start = {};
+    std::optional<Start> start = {};
     std::uint64_t seed = 0;
-    Solver solver = Solver::kLbfgs;
-    double tolerance = 1e-6;
-    /// Negative: no limit. 0: the periodic Voronoi diagram of the sites as given.
-    int max_iterations = -1;
-    /// At least 1; the result does not depend on it.
-    int n_threads = 1;
+    /// run_space_job() sets progress.
+    RunOptions run;
     /// Files to write. The extension selects the format (io/space_formats.hpp).
     std::vector<std::string> outputs;
     SpaceFileOptions file_options = {};
@@ -157,7 +132,7 @@ SpaceSummary run_space_job(const SpaceJob& job, const JobCallback& callback);
 
 /// The start of the sites that the job does not give: what it states, else coarse from 1,000 sites
 /// on if they are optimised, else random.
-SpaceStart chosen_start(const SpaceJob& job);
+Start chosen_start(const SpaceJob& job);
 
 /// The energy of as many truncated octahedra as the job has sites, length^5.
 double energy_bound(const SpaceJob& job);

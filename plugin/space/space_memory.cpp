@@ -37,7 +37,7 @@ double estimated_memory(const SpaceJob& job, const std::vector<SpaceJobFile>& fi
     const double n = job.points.cols() > 0 ? static_cast<double>(job.points.cols()) : job.n_sites;
     // The bytes a site are those of sites that are spread evenly.
     const double n_even = std::max(n, job.n_tetrahedra / space::kTetrahedraPerSite);
-    return kCommandBytes + kThreadBytes * job.n_threads + n_even * largest_bytes(job, files);
+    return kCommandBytes + kThreadBytes * job.run.n_threads + n_even * largest_bytes(job, files);
 }
 
 double memory_of_cells(const SpaceJob& job, int n_sites) {

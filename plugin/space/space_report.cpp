@@ -1,8 +1,8 @@
 #include "plugin/space/space_report.hpp"
 
 #include "io/bytes/json_writer.hpp"
-#include "mesher/base/choices.hpp"
 #include "plugin/job/job.hpp"
+#include "plugin/job/job_start.hpp"
 #include "plugin/job/report_parts.hpp"
 #include "plugin/job/version.hpp"
 
@@ -10,9 +10,7 @@ namespace pcvt {
 namespace {
 
 const char* start_name(const SpaceJob& job) {
-    if (job.points.cols() > 0) return "file";
-    const SpaceStart start = chosen_start(job);
-    return find_row(kSpaceStarts, [=](const auto& row) { return row.start == start; })->word;
+    return job.points.cols() > 0 ? "file" : start_row(chosen_start(job)).word;
 }
 
 void append_pattern(JsonWriter& json, const std::optional<SpacePatternOutcome>& pattern) {
@@ -37,7 +35,7 @@ std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary
     json.member("sites", summary.n_sites);
     json.member("lattice", job.lattice.periods());
     json.member("seed", job.seed);
-    json.member("solver", solver_row(job.solver).word);
+    json.member("solver", solver_row(job.run.solver).word);
     json.member("start", start_name(job));
     json.member("stop", stop_name(summary.run.stop));
     json.member("iterations", summary.run.iterations);
@@ -53,7 +51,7 @@ std::string encode_space_report(const SpaceJob& job, const SpaceSummary& summary
     json.member("boundary_pairs", summary.proof.n_boundary_pairs);
     json.member("translations", summary.proof.n_translations);
     json.member("boundary_is_manifold", summary.proof.boundary_is_manifold);
-    json.member("threads", job.n_threads);
+    json.member("threads", job.run.n_threads);
     json.object("seconds", [&] {
         json.member("optimize", seconds_optimising);
         json.member("write", seconds_writing);

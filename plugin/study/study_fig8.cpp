@@ -56,9 +56,9 @@ std::vector<StudyRow> run_fig8(int n, int /*run*/, std::uint64_t seed) {
     const plane::ClippedCvt standard =
         compute_clipped_cvt(unit_square(), start, {kStandardTolerance});
     plane::CvtOptions lloyd;
-    lloyd.solver = Solver::kLloyd;
-    lloyd.tolerance = 0;
-    lloyd.max_iterations = kLloydIterations;
+    lloyd.run.solver = Solver::kLloyd;
+    lloyd.run.tolerance = 0;
+    lloyd.run.max_iterations = kLloydIterations;
     return {periodic_row("input", start, plain_lbfgs(0, 0)),
             fig8_row("standard", standard.run, standard.sites), periodic_row("lloyd", start, lloyd),
             periodic_row("lbfgs", start, plain_lbfgs(0, kLbfgsIterations))};

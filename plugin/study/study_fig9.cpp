@@ -24,7 +24,7 @@ std::vector<StudyRow> run_fig9(int n, int /*run*/, std::uint64_t seed) {
         };
     };
     plane::CvtOptions options = plain_lbfgs(kFig9Tolerance, kMostIterations);
-    options.progress = note("periodic");
+    options.run.progress = note("periodic");
     compute_cvt(unit, start, options);
     compute_clipped_cvt(unit, start, {kFig9Tolerance, kMostIterations, note("standard")});
     return rows;

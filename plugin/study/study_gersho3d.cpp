@@ -24,8 +24,8 @@ double over_bound(double energy, int n) { return energy / space::body_centred_en
 
 std::vector<StudyRow> run_gersho3d(int n, int /*run*/, std::uint64_t seed) {
     const space::Lattice cube = unit_cube();
-    const space::CvtResult result =
-        space::compute_cvt(cube, uniform_points(cube, n, seed), {.tolerance = kGersho3dTolerance});
+    const space::CvtResult result = space::compute_cvt(cube, uniform_points(cube, n, seed),
+                                                       {{.tolerance = kGersho3dTolerance}});
     StudyRow row{stop_name(result.run.stop)};
     for (std::string& cell : run_cells(result.run)) row.push_back(std::move(cell));
     return {row};

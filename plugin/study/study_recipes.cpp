@@ -12,9 +12,9 @@ double f_hex(int n) { return plane::hexagonal_bound(1, n); }
 
 plane::CvtOptions plain_lbfgs(double tolerance, int max_iterations) {
     plane::CvtOptions options;
-    options.solver = Solver::kPlainLbfgs;
-    options.tolerance = tolerance;
-    options.max_iterations = max_iterations;
+    options.run.solver = Solver::kPlainLbfgs;
+    options.run.tolerance = tolerance;
+    options.run.max_iterations = max_iterations;
     return options;
 }
 

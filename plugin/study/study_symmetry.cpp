@@ -41,7 +41,7 @@ SymmetricRun symmetric_run(plane::PlaneGroupName name, int n, bool centres, std:
     const plane::SpecialPositions special = special_positions(group);
     plane::SymmetricSites start = random_sites(group, plan_of(group, special, n, centres), seed);
     plane::CvtOptions options;
-    options.tolerance = kSymmetryTolerance;
+    options.run.tolerance = kSymmetryTolerance;
     plane::CvtResult result = compute_cvt(start, options);
     return {std::move(start), std::move(result)};
 }

@@ -25,7 +25,7 @@ Timed by_call(const Input& input, const plane::Points& sites) {
     double energy = 0;
     {
         plane::CvtOptions options;
-        options.max_iterations = kAbiIterations;
+        options.run.max_iterations = kAbiIterations;
         energy = compute_cvt(input.lattice, sites, options).run.energy;
     }
     return {cpu_seconds() - start, energy};

@@ -28,7 +28,7 @@ void add_newton(const Input& input) {
     add_case("area_newton", input, [=](benchmark::State& state) {
         const AreaProblem problem(input);
         Workers workers(1);
-        plane::AreaFigures figures;
+        SizeFigures figures;
         for ([[maybe_unused]] auto _ : state) {
             plane::AreaNewton newton(problem.delaunay, workers);
             figures = newton.solve(problem.areas, plane::area_tolerance(input.n));

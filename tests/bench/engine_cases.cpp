@@ -17,9 +17,9 @@ namespace {
 /// Runs until the RMS residual is at most `rms`.
 plane::CvtResult run_to_rms(const Input& input, double rms, const ProgressCallback& look = {}) {
     plane::CvtOptions options;
-    options.solver = Solver::kPlainLbfgs;
-    options.tolerance = 0;
-    options.progress = [&](const Progress& progress) {
+    options.run.solver = Solver::kPlainLbfgs;
+    options.run.tolerance = 0;
+    options.run.progress = [&](const Progress& progress) {
         if (look) look(progress);
         return progress.rms_residual > rms;
     };
@@ -121,7 +121,7 @@ void add_memory(const Input& input) {
             std::ofstream("/proc/self/clear_refs") << "5";
             const double before = status_bytes("VmRSS");
             plane::CvtOptions options;
-            options.max_iterations = kIterations;
+            options.run.max_iterations = kIterations;
             benchmark::DoNotOptimize(compute_cvt(input.lattice, input.sites(), options));
             state.counters["bytes_per_site"] = (status_bytes("VmHWM") - before) / input.n;
         }
@@ -137,7 +137,7 @@ void add_small_runs(const Input& input) {
             int converged = 0;
             for (std::uint64_t seed = 0; seed < kRuns; ++seed) {
                 plane::CvtOptions options;
-                options.tolerance = 1e-8;
+                options.run.tolerance = 1e-8;
                 const plane::Points points = uniform_points(input.lattice, input.n, seed);
                 converged +=
                     compute_cvt(input.lattice, points, options).run.stop == Stop::kConverged;

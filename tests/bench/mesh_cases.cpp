@@ -14,7 +14,7 @@ constexpr int kMeshIterations = 20;
 
 plane::CvtResult some_cells(const Input& input) {
     plane::CvtOptions options;
-    options.max_iterations = kMeshIterations;
+    options.run.max_iterations = kMeshIterations;
     options.numbering = plane::Numbering::kByColumns;
     return compute_cvt(input.lattice, input.sites(), options);
 }

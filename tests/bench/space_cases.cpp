@@ -21,8 +21,8 @@ benchmark::internal::Benchmark* add_in_cube(const std::string& what, int n,
 /// Runs until the RMS residual is at most `rms`.
 space::CvtResult run_space_to_rms(int n, double rms, const ProgressCallback& look = {}) {
     space::CvtOptions options;
-    options.tolerance = 0;
-    options.progress = [&](const Progress& progress) {
+    options.run.tolerance = 0;
+    options.run.progress = [&](const Progress& progress) {
         if (look) look(progress);
         return progress.rms_residual > rms;
     };

@@ -213,7 +213,7 @@ void read_site_text(const std::string& bytes) {
     if (file.points.cols() > kMostMeshedSites) return;
     // As every run of the command, it refuses sites that nearly coincide.
     plane::CvtOptions options;
-    options.max_iterations = 0;
+    options.run.max_iterations = 0;
     const plane::CvtResult result = compute_cvt(oblique(), file.points, options);
     for (const plane::Outline outline : {plane::Outline::kWhole, plane::Outline::kBox}) {
         verify_generated_tile(build_tile(result.delaunay, {.outline = outline}).tile);

@@ -208,7 +208,7 @@ std::vector<BaseFile> base_files(std::string_view extension) {
     const plane::SymmetricSites start = symmetric_sites(lattice);
     // At a minimum, cells of different orbits may have one area.
     plane::CvtOptions few_steps;
-    few_steps.max_iterations = 2;
+    few_steps.run.max_iterations = 2;
     const plane::PeriodicDelaunay symmetric = compute_cvt(start, few_steps).delaunay;
     for (const Shape& shape : symmetric_shapes()) {
         const plane::Tile tile = build_tile(symmetric, shape.options).tile;

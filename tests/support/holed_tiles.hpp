@@ -30,7 +30,7 @@ inline plane::Tile holed_tile(plane::TileOptions options, int n = 300) {
         {plane::Circle{{0.5, 0.55}, 0.14}, 1, 2},
         {plane::Polygon{{0.3, 0.12}, {0.75, 0.15}, {0.7, 0.33}, {0.45, 0.3}}, 2, 3}};
     plane::CvtOptions few_steps;
-    few_steps.max_iterations = 5;
+    few_steps.run.max_iterations = 5;
     const plane::InterfaceCvt cvt =
         compute_interface_cvt(plane::InclusionSet(lattice, shapes), n, 3, few_steps);
     options.site_tags = cvt.tag;
@@ -42,7 +42,7 @@ inline plane::Tile holed_tile(plane::TileOptions options, int n = 300) {
 inline plane::Tile tile_with_a_hole(plane::TileOptions options) {
     const plane::Lattice lattice = plane::Lattice::rectangle(1, 1);
     plane::CvtOptions few_steps;
-    few_steps.max_iterations = 5;
+    few_steps.run.max_iterations = 5;
     const plane::InclusionSet set(lattice, {{plane::Circle{{0.02, 0.97}, 0.25}, 1, 1}});
     const plane::InterfaceCvt cvt = compute_interface_cvt(set, 80, 3, few_steps);
     options.site_tags = cvt.tag;

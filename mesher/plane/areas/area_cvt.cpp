@@ -56,7 +56,7 @@ class AreaObjective final : public Objective {
         steps_to_centroids(evaluation.gradient, cells_.mass, direction);
     }
 
-    const AreaFigures& figures() const { return figures_; }
+    const SizeFigures& figures() const { return figures_; }
     const Eigen::VectorXd& weights() const { return newton_.weights(); }
 
    private:
@@ -69,8 +69,8 @@ class AreaObjective final : public Objective {
 
     void measure() {
         const double tolerance = kTrialTolerance * area_tolerance(delaunay_.n_sites());
-        const AreaFigures now = newton_.solve(areas_, tolerance, callback_);
-        measure_cells(newton_.diagram(), newton_.heights(), workers_, cells_);
+        const SizeFigures now = newton_.solve(areas_, tolerance, callback_);
+        measure_cells(newton_.diagram().regular(), newton_.diagram().heights(), workers_, cells_);
         figures_.largest_relative_error = now.largest_relative_error;
         figures_.rounding = now.rounding;
         figures_.converged = now.largest_relative_error <= area_tolerance(delaunay_.n_sites());
@@ -87,7 +87,7 @@ class AreaObjective final : public Objective {
     Energy euclidean_;
     AreaNewton newton_;
     PowerCells cells_;
-    AreaFigures figures_;
+    SizeFigures figures_;
 };
 
 Progress progress_of(int step, const Evaluation& here) {
@@ -99,14 +99,14 @@ Progress progress_of(int step, const Evaluation& here) {
 }
 
 /// Why a limited number of steps ended.
-Stop stop_after_steps(const Evaluation& here, const AreaFigures& figures, double tolerance) {
+Stop stop_after_steps(const Evaluation& here, const SizeFigures& figures, double tolerance) {
     if (!figures.converged) return Stop::kStalled;
     return here.residual <= tolerance ? Stop::kConverged : Stop::kIterationLimit;
 }
 
 /// Moves each site to the centroid of its cell, a number of times.
 /// @param figures  of the objective's last evaluation.
-RunStatistics run_centroidal_steps(Objective& objective, const AreaFigures& figures,
+RunStatistics run_centroidal_steps(Objective& objective, const SizeFigures& figures,
                                    const AreaCvtOptions& options,
                                    const ProgressCallback& progress) {
     Eigen::VectorXf direction(objective.n_variables());

@@ -24,13 +24,13 @@ struct AreaCvtOptions {
     /// 0: the sites stay. k: k times each site moves to the centroid of its cell, and the weights
     /// follow. Negative: the sites move until each is the centroid of its cell.
     int centroidal_steps = 0;
-    /// As CvtOptions::tolerance; a limited number of steps does not end before.
+    /// As RunOptions::tolerance; a limited number of steps does not end before.
     double tolerance = 1e-6;
     /// At least 1. The result does not depend on it.
     int n_threads = 1;
     /// Called once per centroidal step or iteration; returning false cancels the run.
     ProgressCallback progress = {};
-    /// Called with the figures of the weights of each position, as AreaNewton::solve does.
+    /// Called with the figures of the weights of each position, as SizeNewton::solve does.
     NewtonCallback newton_progress = {};
 };
 
@@ -42,7 +42,7 @@ struct AreaCvtResult {
     /// most the tolerance; stalled: the areas were not reached.
     RunStatistics run;
     /// Of the last areas; newton_steps, products and trials are those of the whole run.
-    AreaFigures areas;
+    SizeFigures areas;
     DelaunayCounts counts;
 };
 
@@ -52,7 +52,7 @@ void require_areas(const AreaCvtOptions& options, int n_sites);
 /// Finds the power diagram whose cells have prescribed areas, and optionally moves the sites to the
 /// centroids of their cells, in the same areas.
 ///
-/// The fully centroidal run minimises E(x) = max over w of g(x, w) (area_newton.hpp), the energy of
+/// The fully centroidal run minimises E(x) = max over w of g(x, w) (size_newton.hpp), the energy of
 /// the cells of prescribed areas, by L-BFGS. Its gradient is 2 a_i (x_i - g_i), because w is a
 /// maximum (M. Balzer, T. Schloemer, O. Deussen 2009; F. de Goes et al. 2012).
 ///

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "mesher/base/error.hpp"
+#include "mesher/cells/weight_orbits.hpp"
 #include "mesher/plane/areas/area_cvt.hpp"
-#include "mesher/plane/areas/weight_orbits.hpp"
 #include "mesher/plane/delaunay/moving_delaunay.hpp"
 #include "mesher/plane/delaunay/periodic_delaunay.hpp"
 #include "mesher/plane/power/power_cells.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
@@ -104,27 +103,28 @@ void fold_between_walls(const Lattice& domain, Walls walls, Points& points) {
 
 /// Moves each site by a random fraction of the shake.
 Points shaken(Refined sites, std::uint64_t seed) {
-    std::mt19937_64 generator(seed);
-    const auto uniform = [&generator] { return std::ldexp(double(generator() >> 11), -52) - 1; };
+    Shakes shakes(seed);
     Points points = std::move(sites.points);
     for (Eigen::Index s = 0; s < points.cols(); ++s) {
         checkpoint_each(s);
-        const double x = uniform();
-        const double y = uniform();
+        const double x = shakes.next();
+        const double y = shakes.next();
         points.col(s) += kShake * sites.spacing[s] * Vec2(x, y);
     }
     return points;
 }
 
 /// Optimises the sites of a level and refines them.
-Refined optimised(const Lattice& lattice, Points points, const CvtOptions& level,
-                  const CoarseStartOptions& options, int n, std::uint64_t seed) {
+Refined optimised(const Lattice& lattice, Points points, CoarseLevels& levels,
+                  const CoarseStartOptions& options) {
+    const CvtOptions level = level_options(levels, options);
+    const int n = levels.n_finer();
     Refined refined =
         options.walls == Walls::kNone
             ? with_midpoints(compute_cvt(lattice, std::move(points), level).delaunay, n)
             : with_midpoints(compute_walled_cvt(lattice, options.walls, WallCells::kWhole,
                                                 std::move(points), level),
-                             n, seed);
+                             n, levels.seed());
     if (!options.density) {
         refined.spacing.setConstant(std::sqrt(reduce(lattice).reduced.area() / n));
     }
@@ -134,17 +134,18 @@ Refined optimised(const Lattice& lattice, Points points, const CvtOptions& level
 }  // namespace
 
 Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& options) {
-    const int n_coarsest = coarsest_level(n);
+    CoarseLevels levels(kLevelGrowth, {.n_orbits = n}, options.run);
+    const int n_coarsest = levels.n_coarsest();
     Points points = options.density
-                        ? graded_points(lattice, *options.density, n_coarsest, options.seed)
-                        : uniform_points(lattice, n_coarsest, options.seed);
+                        ? graded_points(lattice, *options.density, n_coarsest, options.run.seed)
+                        : uniform_points(lattice, n_coarsest, options.run.seed);
     // Optimise each level, refine it and shake the sites of the next.
-    const auto refine = [&](const CvtOptions& level, int n_finer, std::uint64_t seed) {
-        Refined refined = optimised(lattice, std::move(points), level, options, n_finer, seed);
-        points = shaken(std::move(refined), seed);
+    while (levels.next()) {
+        Refined refined = optimised(lattice, std::move(points), levels, options);
+        if (levels.cancelled()) return {};
+        points = shaken(std::move(refined), levels.seed());
         fold_between_walls(lattice, options.walls, points);
-    };
-    if (!run_coarse_levels({.n_orbits = n}, options, refine)) return {};
+    }
     return points;
 }
 

@@ -10,7 +10,7 @@ namespace pcvt::plane {
 ///   const Lattice unit = Lattice::rectangle(1, 1);
 ///   CvtOptions options;
 ///   options.precondition_below = kPreconditionAfterCoarse;
-///   const CvtResult result = compute_cvt(unit, coarse_start(unit, 1000, {.seed = 1}), options);
+///   const CvtResult result = compute_cvt(unit, coarse_start(unit, 1000, {{.seed = 1}}), options);
 ///
 /// The coarsest problem has n / 16 random sites. Each level optimises its sites, adds the midpoints
 /// of the Delaunay edges, which quadruples the number of sites, and shakes all sites. Long waves

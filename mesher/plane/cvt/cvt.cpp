@@ -52,13 +52,12 @@ class UniformObjective final : public CvtObjective<EnergyPass> {
     std::unique_ptr<LongWaves> long_waves_;
 };
 
-OptimizerOptions optimizer_options(const MovingDelaunay& delaunay, const CvtOptions& options) {
-    return {.tolerance = options.tolerance,
-            .max_iterations = options.max_iterations,
-            .max_move = longest_move(delaunay),
-            .progress = options.progress,
-            .precondition_below =
-                solver_row(options.solver).preconditions ? options.precondition_below : 0};
+OptimizerOptions preconditioned_options(const MovingDelaunay& delaunay, const CvtOptions& options) {
+    OptimizerOptions optimizer = optimizer_options(delaunay, options.run);
+    if (solver_row(options.run.solver).preconditions) {
+        optimizer.precondition_below = options.precondition_below;
+    }
+    return optimizer;
 }
 
 SiteConstraints<MovingDelaunay> constraints_of(const MovingDelaunay& delaunay,
@@ -87,11 +86,11 @@ SiteConstraints<MovingDelaunay> constraints_of(const MovingDelaunay& delaunay,
 RunStatistics minimize(MovingDelaunay& delaunay, const Lattice& lattice, const Density& density,
                        const CvtOptions& options, const OrbitEmbedding* orbits,
                        std::optional<DensityFigures>& figures) {
-    Workers workers(options.n_threads);
+    Workers workers(options.run.n_threads);
     const DensityCvtResult result =
         minimize_density_energy(delaunay, workers, lattice, density,
-                                {.minimize = solver_row(options.solver).minimize_density,
-                                 .optimizer = optimizer_options(delaunay, options),
+                                {.minimize = solver_row(options.run.solver).minimize_density,
+                                 .optimizer = preconditioned_options(delaunay, options),
                                  .orbits = orbits,
                                  .constraints = constraints_of(delaunay, options)});
     figures = result.figures;
@@ -101,14 +100,14 @@ RunStatistics minimize(MovingDelaunay& delaunay, const Lattice& lattice, const D
 RunStatistics minimize(MovingDelaunay& delaunay, const CvtOptions& options,
                        const OrbitEmbedding* orbits) {
     const int n_tasks = delaunay.n_sites() / kSitesPerTask + 1;
-    Workers workers(std::min(options.n_threads, n_tasks));
+    Workers workers(std::min(options.run.n_threads, n_tasks));
     const SiteConstraints constraints = constraints_of(delaunay, options);
     UniformObjective all(delaunay, workers, constraints);
     std::optional<SymmetricObjective> symmetric;
     if (orbits != nullptr) symmetric.emplace(all, *orbits);
     Objective& objective = symmetric ? static_cast<Objective&>(*symmetric) : all;
-    return minimize_energy(delaunay, objective, solver_row(options.solver).minimize,
-                           optimizer_options(delaunay, options), workers);
+    return minimize_energy(delaunay, objective, solver_row(options.run.solver).minimize,
+                           preconditioned_options(delaunay, options), workers);
 }
 
 /// Triangulates the sites and frees the points, which are not needed afterwards.
@@ -123,10 +122,10 @@ CvtResult minimized(MovingDelaunay delaunay, const Lattice& lattice, const Densi
     // Minimise the energy.
     CvtOptions with_positions = options;
     const std::function<Points()> positions = [&delaunay] { return delaunay.positions(); };
-    if (options.progress) {
-        with_positions.progress = [&](Progress progress) {
+    if (options.run.progress) {
+        with_positions.run.progress = [&](Progress progress) {
             progress.positions = &positions;
-            return options.progress(progress);
+            return options.run.progress(progress);
         };
     }
     std::optional<DensityFigures> figures;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/cvt/solvers.hpp"
+#include "mesher/cvt/run_options.hpp"
 #include "mesher/plane/cvt/density_cvt.hpp"
 #include "mesher/plane/delaunay/moving_delaunay.hpp"
 #include "mesher/plane/delaunay/periodic_delaunay.hpp"
@@ -9,16 +9,10 @@
 namespace pcvt::plane {
 
 struct CvtOptions {
-    Solver solver = Solver::kLbfgs;
-    /// The run has converged once every |x_i - g_i| / h is at most this, h = sqrt(area / n).
-    double tolerance = 1e-6;
-    /// Negative: no limit. 0: the result is the periodic Voronoi diagram of the given sites.
-    int max_iterations = -1;
+    RunOptions run;
     /// L-BFGS preconditions long waves (long_waves.hpp) once the RMS residual is below this; 0:
     /// never. With a much larger value random sites end in higher minima.
     double precondition_below = 3e-4;
-    /// At least 1. The result does not depend on it.
-    int n_threads = 1;
     /// The numbers of the result's sites. By columns, neighbours have numbers near to each other,
     /// which suits meshes and the matrices of solvers.
     Numbering numbering = Numbering::kAsGiven;
@@ -29,7 +23,6 @@ struct CvtOptions {
     std::vector<SiteId> fixed = {};
     /// nullptr: all positions are admitted. Must outlive the run.
     SiteGuard<MovingDelaunay>* guard = nullptr;
-    ProgressCallback progress;
 };
 
 /// A periodic tessellation and the figures of the run that computed it.

@@ -111,12 +111,12 @@ class GuardedRuns {
             options.numbering = Numbering::kAsGiven;
             options.fixed = fixed_;
             options.guard = &guard;
-            if (options.max_iterations > 0) options.max_iterations -= before.iterations;
-            options.progress = [&](Progress progress) {
+            if (options.run.max_iterations > 0) options.run.max_iterations -= before.iterations;
+            options.run.progress = [&](Progress progress) {
                 if (result && progress.iteration == 0) return true;
                 progress.iteration += before.iterations;
                 progress.evaluations += before.evaluations;
-                cancelled = all.progress && !all.progress(progress);
+                cancelled = all.run.progress && !all.run.progress(progress);
                 return !cancelled && !guard.is_blocked();
             };
             CvtResult leg = leg_after(result ? &*result : nullptr, options);

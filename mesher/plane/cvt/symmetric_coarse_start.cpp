@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -128,16 +127,6 @@ std::vector<NewSite> chosen(NewSites added, std::size_t n, const Lattice& lattic
     return sites;
 }
 
-/// Random numbers between -1 and 1.
-class Shakes {
-   public:
-    explicit Shakes(std::uint64_t seed) : generator_(seed) {}
-    double next() { return std::ldexp(double(generator_() >> 11), -52) - 1; }
-
-   private:
-    std::mt19937_64 generator_;
-};
-
 /// The places of the next level, shaken.
 /// @param even  whether all sites have the spacing of the finer level on average.
 OrbitPlaces refined(const SymmetricSites& start, const CvtResult& result, OrbitPlaces places,
@@ -187,18 +176,19 @@ std::optional<SymmetricSites> symmetric_coarse_start(const PlaneGroup& group, co
                                                      const CoarseStartOptions& options) {
     std::optional<Density> density;
     if (options.density) density = folded_density(*options.density, group);
-    OrbitPlan coarsest = plan;
-    coarsest.n_general = coarsest_level(plan.n_general);
     const int n_others =
         n_sites(group, special_positions(group), plan) - plan.n_general * group.order();
-    OrbitPlaces places = random_places(group, coarsest, options.seed, density);
-    const auto refine = [&](const CvtOptions& level, int n_finer, std::uint64_t seed) {
+    CoarseLevels levels(kLevelGrowth, {plan.n_general, group.order(), n_others}, options.run);
+    OrbitPlan coarsest = plan;
+    coarsest.n_general = levels.n_coarsest();
+    OrbitPlaces places = random_places(group, coarsest, options.run.seed, density);
+    while (levels.next()) {
         const SymmetricSites start = numbered_by_columns(sites_at(group, places));
-        const CvtResult result = compute_cvt(start, level);
-        places = refined(start, result, std::move(places), n_finer, !options.density, seed);
-    };
-    const LevelSizes sizes{plan.n_general, group.order(), n_others};
-    if (!run_coarse_levels(sizes, options, refine)) return std::nullopt;
+        const CvtResult result = compute_cvt(start, level_options(levels, options));
+        if (levels.cancelled()) return std::nullopt;
+        places = refined(start, result, std::move(places), levels.n_finer(), !options.density,
+                         levels.seed());
+    }
     return numbered_by_columns(sites_at(group, places));
 }
 

@@ -14,7 +14,7 @@ namespace pcvt::plane {
 ///   const OrbitPlan plan = distribute(group, special_positions(group), 2400);
 ///   CvtOptions options;
 ///   options.precondition_below = kPreconditionAfterCoarse;
-///   const auto start = symmetric_coarse_start(group, plan, {.seed = 1});
+///   const auto start = symmetric_coarse_start(group, plan, {{.seed = 1}});
 ///   const CvtResult result = compute_cvt(*start, options);
 ///
 /// Every level has the symmetry to the last bit. The orbits in general positions become four times

@@ -21,7 +21,7 @@ Eigen::VectorXd areas_on_torus(const SymmetricSites& sites, const Eigen::VectorX
     return areas;
 }
 
-void add_counts(AreaFigures& figures, const AreaFigures& before) {
+void add_counts(SizeFigures& figures, const SizeFigures& before) {
     figures.newton_steps += before.newton_steps;
     figures.products += before.products;
     figures.trials += before.trials;
@@ -37,7 +37,7 @@ WalledAreaCvt compute_walled_area_cvt(const Lattice& lattice, Walls walls, WallC
     of_torus.numbering = Numbering::kAsGiven;
     const WalledDomain start{walls, lattice, static_cast<int>(points.cols())};
     std::optional<AreaCvtResult> torus;
-    AreaFigures figures;
+    SizeFigures figures;
     const WallRound round = [&](const SymmetricSites& sites,
                                 const RunStatistics& before) -> WallRoundResult {
         of_torus.areas = areas_on_torus(sites, options.areas, start.n_images());

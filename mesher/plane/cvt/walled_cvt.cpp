@@ -26,7 +26,7 @@ WalledCvt compute_walled_cvt(const WalledDomain& start, WallCells cells, Points 
     std::optional<CvtResult> torus;
     const WallRound round = [&](const SymmetricSites& sites,
                                 const RunStatistics& before) -> WallRoundResult {
-        of_torus.progress = progress_between_walls(options.progress, start, before);
+        of_torus.run.progress = progress_between_walls(options.run.progress, start, before);
         torus.emplace(run(sites, of_torus));
         return {torus->delaunay, torus->run};
     };

@@ -113,8 +113,9 @@ bool Search::report() {
 /// cancelled.
 CvtOptions Search::optimiser(int most_evaluations, double tolerance) {
     CvtOptions options;
-    options.tolerance = tolerance;
-    options.progress = [this, most_evaluations, worst = worst_kept()](const Progress& progress) {
+    options.run.tolerance = tolerance;
+    options.run.progress = [this, most_evaluations,
+                            worst = worst_kept()](const Progress& progress) {
         if (std::this_thread::get_id() == caller_) report();
         const bool hopeless = progress.value * (1 - kHope * progress.rms_residual) > worst;
         return !cancelled_ && !hopeless && progress.evaluations < most_evaluations;

@@ -1,29 +1,18 @@
 #include "mesher/space/cvt/coarse_start.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <random>
 #include <tuple>
 #include <vector>
 
 #include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/optimize/level_share.hpp"
 #include "mesher/portable/portable_functions.hpp"
 
 namespace pcvt::space {
 namespace {
 
-/// By how much the number of sites grows from one level to the next. Random tessellations have
-/// 6.9 to 7 edges a site, so that the midpoints suffice.
-constexpr double kGrowth = 7.9;
-/// Problems with at most this number of sites are not coarsened further.
-constexpr int kCoarsest = 30;
-/// The RMS residual at which a coarser problem is left for the next one.
-constexpr double kRmsTolerance = 1e-4;
-/// The longest random move of a coordinate between two levels, in units of h of the finer one.
-constexpr double kShake = 0.25;
+/// Random tessellations have 6.9 to 7 edges a site, so that the midpoints suffice.
+constexpr LevelGrowth kLevelGrowth{.dimension = 3, .factor = 7.9, .coarsest = 30};
 
 /// An edge of the tetrahedra, from a site to an image of another or of itself.
 struct Edge {
@@ -87,50 +76,22 @@ Points with_midpoints(const PeriodicDelaunay& delaunay, int n, std::uint64_t see
 
 /// Moves each point by a random fraction of the shake.
 void shake(const Lattice& lattice, std::uint64_t seed, Points& points) {
-    std::mt19937_64 generator(seed);
-    const auto uniform = [&generator] { return std::ldexp(double(generator() >> 11), -52) - 1; };
+    Shakes shakes(seed);
     const double longest =
         kShake * portable_cbrt(lattice.volume() / static_cast<double>(points.cols()));
-    for (double& x : points.reshaped()) x += longest * uniform();
-}
-
-/// The numbers of sites of all levels, the finest first.
-std::vector<int> levels(int n) {
-    std::vector<int> sites{n};
-    while (sites.back() > kCoarsest) {
-        sites.push_back(static_cast<int>(std::ceil(sites.back() / kGrowth)));
-    }
-    return sites;
+    for (double& x : points.reshaped()) x += longest * shakes.next();
 }
 
 }  // namespace
 
 Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& options) {
-    std::vector<int> sites = levels(n);
-    const double n_all = std::accumulate(sites.begin() + 1, sites.end(), 0.0);
-    LevelShare done(sites.back(), n_all, kRmsTolerance);
-    bool cancelled = false;
-    Points points = uniform_points(lattice, sites.back(), options.seed);
-    for (; sites.size() > 1; sites.pop_back()) {
-        const int n_finer = sites[sites.size() - 2];
-        // F is in proportion to n^(-2/3).
-        const double length = portable_cbrt(double(sites.back()) / n);
-        const double scale = length * length;
-        CvtOptions level;
-        level.tolerance = 0;
-        level.n_threads = options.n_threads;
-        level.progress = [&](Progress progress) {
-            progress.value *= scale;
-            progress.share = done.at(progress.rms_residual);
-            cancelled = options.progress && !options.progress(progress);
-            return !cancelled && progress.rms_residual > kRmsTolerance;
-        };
-        const CvtResult result = compute_cvt(lattice, points, level);
-        if (cancelled) return Points(3, 0);
-        const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(n_finer);
-        points = with_midpoints(result.delaunay, n_finer, seed);
-        shake(lattice, seed, points);
-        done.next_level(n_finer);
+    CoarseLevels levels(kLevelGrowth, {.n_orbits = n}, options.run);
+    Points points = uniform_points(lattice, levels.n_coarsest(), options.run.seed);
+    while (levels.next()) {
+        const CvtResult result = compute_cvt(lattice, points, {levels.run()});
+        if (levels.cancelled()) return Points(3, 0);
+        points = with_midpoints(result.delaunay, levels.n_finer(), levels.seed());
+        shake(lattice, levels.seed(), points);
     }
     return points;
 }

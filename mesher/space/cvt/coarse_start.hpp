@@ -1,18 +1,12 @@
 #pragma once
 
-#include <cstdint>
-
+#include "mesher/cvt/coarse_levels.hpp"
 #include "mesher/space/cvt/cvt.hpp"
 
 namespace pcvt::space {
 
 struct CoarseStartOptions {
-    std::uint64_t seed = 0;
-    /// At least 1. The result does not depend on it.
-    int n_threads = 1;
-    /// Called once per iteration of the coarser problems, with energies scaled to n sites and the
-    /// share of the work of all these problems that is done; returning false cancels.
-    ProgressCallback progress = {};
+    CoarseRunOptions run = {};
 };
 
 /// Computes initial sites for an optimisation in space, from coarse to fine.
@@ -20,7 +14,7 @@ struct CoarseStartOptions {
 /// Example usage:
 ///
 ///     const Lattice cube = Lattice::box(1, 1, 1);
-///     const Points points = coarse_start(cube, 10'000, {.seed = 1});
+///     const Points points = coarse_start(cube, 10'000, {{.seed = 1}});
 ///     const CvtResult result = compute_cvt(cube, points, {});
 ///
 /// The coarsest problem has 4 to 30 random sites, so that an optimisation finds a regular

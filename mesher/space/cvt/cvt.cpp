@@ -23,16 +23,12 @@ Sites distinct_sites(const Lattice& lattice, const Points& points) {
 
 CvtResult compute_cvt(const Lattice& lattice, const Points& points, const CvtOptions& options) {
     MovingTetrahedra moving(distinct_sites(lattice, points));
-    Workers workers(options.n_threads);
+    Workers workers(options.run.n_threads);
     const SiteConstraints<MovingTetrahedra> none;
     CvtObjective<EnergyPass> objective(moving, workers, none);
     const RunStatistics run =
-        minimize_energy(moving, objective, solver_row(options.solver).minimize,
-                        {.tolerance = options.tolerance,
-                         .max_iterations = options.max_iterations,
-                         .max_move = longest_move(moving),
-                         .progress = options.progress},
-                        workers);
+        minimize_energy(moving, objective, solver_row(options.run.solver).minimize,
+                        optimizer_options(moving, options.run), workers);
     objective.reject();
     const int n_rebuilds = moving.n_rebuilds();
     return {moving.release(), run, n_rebuilds};

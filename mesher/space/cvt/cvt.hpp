@@ -1,21 +1,13 @@
 #pragma once
 
-#include "mesher/cvt/solvers.hpp"
+#include "mesher/cvt/run_options.hpp"
 #include "mesher/space/delaunay/periodic_delaunay.hpp"
 
 namespace pcvt::space {
 
 struct CvtOptions {
     /// In space the objective has no Hessian, so kNewton and kLbfgs both run L-BFGS alone.
-    Solver solver = Solver::kLbfgs;
-    /// The run has converged once every |x_i - g_i| / h is at most this, h the cube root of
-    /// volume / n.
-    double tolerance = 1e-6;
-    /// Negative: no limit. 0: the result is the periodic Voronoi diagram of the given sites.
-    int max_iterations = -1;
-    /// At least 1. The result does not depend on it.
-    int n_threads = 1;
-    ProgressCallback progress = {};
+    RunOptions run = {};
 };
 
 /// A periodic tessellation of space and the figures of the run that computed it.

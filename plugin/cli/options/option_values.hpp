@@ -18,7 +18,7 @@ namespace pcvt::cli {
 // Values of options, read strictly and independently of the locale:
 //
 //   job.n_sites = whole_number("--sites", options.sites, 1, kMostSites);
-//   job.solver = chosen_row("--solver", options.solver, kSolvers).solver;
+//   job.run.solver = chosen_row("--solver", options.solver, kSolvers).solver;
 //
 // Each function throws InvalidInput "OPTION VALUE: what is wrong; what to do".
 

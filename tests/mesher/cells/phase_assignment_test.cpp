@@ -25,7 +25,7 @@ CellTable cells_of(const std::string& law, const Lattice& lattice, int n, std::u
     const Points points = uniform_points(lattice, n, seed);
     if (law == "cvt") {
         CvtOptions options;
-        options.max_iterations = 30;
+        options.run.max_iterations = 30;
         return cell_table(cell_mesh(compute_cvt(lattice, points, options).delaunay));
     }
     const Eigen::VectorXd areas =

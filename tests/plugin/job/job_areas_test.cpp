@@ -61,7 +61,7 @@ Job some_job(std::uint64_t seed) {
     job.seed = seed;
     job.lattice = testing::random_lattice(random);
     job.n_sites = 1 + below(random, below(random, 3) == 0 ? 8 : 60);
-    job.max_iterations = std::array{0, 1, 4}[below(random, 3)];
+    job.run.max_iterations = std::array{0, 1, 4}[below(random, 3)];
     if (below(random, 3) == 0) job.points = some_sites(random, job.lattice, job.n_sites);
     const int kind = below(random, 3);
     if (kind != 0) job.areas = some_areas(random, job.n_sites);
@@ -69,16 +69,17 @@ Job some_job(std::uint64_t seed) {
         job.aspect = Aspect{.ratio = std::exp(3 * random_number(random) - 1.5),
                             .degrees = 360 * random_number(random)};
     }
-    job.columns = 1 + below(random, 3);
-    job.rows = 1 + below(random, 2);
-    job.order = 1 + below(random, 2);
-    job.origin = {random_number(random) - 0.5, random_number(random) - 0.5};
-    job.outline = below(random, 2) == 0 ? plane::Outline::kBox : plane::Outline::kWhole;
-    job.finds_origin = job.outline == plane::Outline::kBox && below(random, 2) == 0;
+    job.tile.columns = 1 + below(random, 3);
+    job.tile.rows = 1 + below(random, 2);
+    job.tile.order = 1 + below(random, 2);
+    job.tile.origin = {random_number(random) - 0.5, random_number(random) - 0.5};
+    job.tile.outline = below(random, 2) == 0 ? plane::Outline::kBox : plane::Outline::kWhole;
+    job.tile.finds_origin = job.tile.outline == plane::Outline::kBox && below(random, 2) == 0;
     job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kGrains};
-    if (job.outline == plane::Outline::kWhole) job.meshes.push_back(plane::MeshKind::kDelaunay);
-    if (below(random, 3) == 0) job.short_edges = 0.1 * random_number(random);
-    if (below(random, 4) == 0) job.grain_per_edge = 1 + below(random, 2);
+    if (job.tile.outline == plane::Outline::kWhole)
+        job.meshes.push_back(plane::MeshKind::kDelaunay);
+    if (below(random, 3) == 0) job.tile.short_edges = 0.1 * random_number(random);
+    if (below(random, 4) == 0) job.tile.grain_per_edge = 1 + below(random, 2);
     return job;
 }
 
@@ -105,7 +106,7 @@ void expect_areas(const Job& job, const plane::BuiltTile& built) {
     const std::vector<double> areas = areas_by_site(built.tile, job.n_sites);
     const Eigen::VectorXd targets = wished(job);
     for (int s = 0; s < job.n_sites; ++s) {
-        EXPECT_NEAR(areas[s] / (job.columns * job.rows) / targets[s], 1, 1e-7);
+        EXPECT_NEAR(areas[s] / (job.tile.columns * job.tile.rows) / targets[s], 1, 1e-7);
     }
 }
 
@@ -160,11 +161,11 @@ TEST(JobAreas, EdgesBendAtCornersOfTheBoxOnly) {
     job.lattice = plane::Lattice({0.32141887474073716, 1.4764704141323493},
                                  {-0.81384407912267953, -4.2811419902297212});
     job.n_sites = 28;
-    job.max_iterations = 4;
+    job.run.max_iterations = 4;
     job.aspect = Aspect{.ratio = 3.0534802623573647, .degrees = 171.91731786629538};
-    job.columns = job.rows = 2;
-    job.origin = {0.05031412278732561, 0.035091504123978545};
-    job.outline = plane::Outline::kBox;
+    job.tile.columns = job.tile.rows = 2;
+    job.tile.origin = {0.05031412278732561, 0.035091504123978545};
+    job.tile.outline = plane::Outline::kBox;
     job.meshes = {plane::MeshKind::kGrains};
     const JobCallback silent;
     JobMonitor monitor(silent, {});
@@ -186,7 +187,7 @@ TEST(JobAreas, CellsHaveTheAreasExactly) {
         EXPECT_TRUE(computed->cells.areas->converged);
         const RunStatistics& run = computed->cells.run;
         EXPECT_EQ(run.stop,
-                  run.residual <= job.tolerance ? Stop::kConverged : Stop::kIterationLimit);
+                  run.residual <= job.run.tolerance ? Stop::kConverged : Stop::kIterationLimit);
         const CellTable table = cell_table(plane_mesh(computed->cells, plane::MeshKind::kVoronoi));
         const Eigen::VectorXd targets = wished(job);
         const double tolerance = std::max(1e-10, computed->cells.areas->rounding);
@@ -250,10 +251,10 @@ TEST(JobAreas, SitesOfAFileKeepTheirNumbersAndPlaces) {
     job.points = uniform_points(job.lattice, 50, 3);
     job.areas = WishedAreas{.given = Eigen::VectorXd::LinSpaced(50, 1, 3), .name = "areas.txt"};
     job.aspect = Aspect{.ratio = 2, .degrees = 30};
-    job.max_iterations = 0;
+    job.run.max_iterations = 0;
     const Computation computed = compute_job(job, {}).value();
-    const plane::Points sites = wrapped_sites(computed.cells, job.origin);
-    const plane::Domain domain(job.lattice, job.origin);
+    const plane::Points sites = wrapped_sites(computed.cells, job.tile.origin);
+    const plane::Domain domain(job.lattice, job.tile.origin);
     for (int s = 0; s < 50; ++s) {
         const plane::Vec2 p = job.points.col(s);
         const plane::Vec2 inside = p + job.lattice.translation(domain.offset_into(p));
@@ -267,8 +268,8 @@ TEST(JobAreas, SortedAreasOfAFileLieAtRandom) {
     Job job;
     job.n_sites = 400;
     job.areas = WishedAreas{.given = Eigen::VectorXd::LinSpaced(400, 1, 9), .name = "areas.txt"};
-    job.max_iterations = 0;
-    const plane::Points sites = wrapped_sites(compute_job(job, {}).value().cells, job.origin);
+    job.run.max_iterations = 0;
+    const plane::Points sites = wrapped_sites(compute_job(job, {}).value().cells, job.tile.origin);
     // The correlation of x with the number of the site.
     double sum = 0;
     for (int s = 0; s < 400; ++s) sum += (sites(0, s) - 0.5) * (s - 199.5);
@@ -299,8 +300,8 @@ TEST(JobAreas, ProgressNamesTheStepsAndRises) {
         Job job;
         job.n_sites = 200;
         job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
-        job.max_iterations = steps;
-        job.tolerance = 1e-3;
+        job.run.max_iterations = steps;
+        job.run.tolerance = 1e-3;
         std::string words;
         double fraction = 0;
         compute_job(job, [&](const JobProgress& progress) {
@@ -325,7 +326,7 @@ TEST(JobAreas, AnyCallOfTheCallbackCancels) {
     Job job;
     job.n_sites = 100;
     job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
-    job.max_iterations = 2;
+    job.run.max_iterations = 2;
     for (int last = 0; last < 12; ++last) {
         int n_calls = 0;
         EXPECT_FALSE(compute_job(job, [&](const JobProgress&) { return n_calls++ < last; }));
@@ -340,8 +341,8 @@ TEST(JobAreas, SitesOfTheReportsAreThoseOfTheFiles) {
     job.lattice = plane::Lattice({1, 0}, {0.4, 0.9});
     job.aspect = Aspect{.ratio = 3, .degrees = 110};
     job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
-    job.max_iterations = 1;
-    job.origin = {3, -2};
+    job.run.max_iterations = 1;
+    job.tile.origin = {3, -2};
     job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kGrains};
     job.outputs = {folder / "t.svg", folder / "t.txt", folder / "t.csv"};
     job.report = folder / "r.json";
@@ -349,7 +350,7 @@ TEST(JobAreas, SitesOfTheReportsAreThoseOfTheFiles) {
     EXPECT_LT(summary.areas->newton.largest_relative_error, 1e-10);
     const plane::Points sites = read_sites<2>(folder / "t.txt").points;
     const Computation computed = compute_job(job, {}).value();
-    EXPECT_EQ(sites, wrapped_sites(computed.cells, job.origin));
+    EXPECT_EQ(sites, wrapped_sites(computed.cells, job.tile.origin));
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ Job job_of(int n_sites, int max_iterations, const TemporaryFolder& folder,
            const std::vector<std::string>& names) {
     Job job;
     job.n_sites = n_sites;
-    job.max_iterations = max_iterations;
+    job.run.max_iterations = max_iterations;
     for (const std::string& name : names) job.outputs.push_back(folder / name);
     job.report = folder / "r.json";
     return job;
@@ -107,22 +107,22 @@ TEST(Cancelling, IsNoticedWhileCellsAreMadeAndWritten) {
     Job job = job_of(kSites, 30, folder,
                      {"t.obj", "t.ply", "t.glb", "t.gltf", "t.om", "t.svg", "t.html", "t.png",
                       "t.dxf", "t.vtu", "t.foam", "t.txt", "t.csv"});
-    job.n_threads = 2;
+    job.run.n_threads = 2;
     expect_short_pauses(job);
 }
 
 TEST(Cancelling, IsNoticedInBoxesRepeatsAndGrains) {
     const TemporaryFolder folder;
     Job job = job_of(kSites / 10, 30, folder, {"t.obj"});
-    job.columns = 4;
-    job.rows = 3;
-    job.outline = plane::Outline::kBox;
-    job.finds_origin = true;
-    job.short_edges = 0.1;
+    job.tile.columns = 4;
+    job.tile.rows = 3;
+    job.tile.outline = plane::Outline::kBox;
+    job.tile.finds_origin = true;
+    job.tile.short_edges = 0.1;
     expect_short_pauses(job);
     job = job_of(kSites / 20, 30, folder, {"t.msh", "t.inp", "u.vtu"});
     job.meshes = {plane::MeshKind::kGrains};
-    job.order = 2;
+    job.tile.order = 2;
     job.force = true;
     expect_short_pauses(job);
 }
@@ -183,7 +183,7 @@ TEST(Cancelling, AtAnyCheckpointLeavesNothing) {
     const auto run = [](const TemporaryFolder& folder, CancelAt& client) {
         Job job = job_of(200, -1, folder, {"t.obj", "t.glb", "t.msh", "new/t.foam", "t.txt"});
         job.meshes = {plane::MeshKind::kGrains};
-        job.n_threads = 2;
+        job.run.n_threads = 2;
         const ClientScope scope(&client);
         return run_job(job, {}).run.stop;
     };

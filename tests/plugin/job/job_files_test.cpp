@@ -52,9 +52,9 @@ TEST(JobFiles, ACGridNeedsARectangleAndEveryEdge) {
     job.outputs = {"t.nc"};
     job.lattice = plane::Lattice({1, 0}, {0.5, 0.8});
     EXPECT_THROW(plan_files(job), InvalidInput);
-    job.rows = 2;
+    job.tile.rows = 2;
     EXPECT_EQ(plan_files(job).size(), 1U);
-    job.short_edges = 0.1;
+    job.tile.short_edges = 0.1;
     EXPECT_THROW(plan_files(job), InvalidInput);
 }
 

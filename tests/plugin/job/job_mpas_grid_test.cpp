@@ -18,10 +18,10 @@ MpasGrid written_grid(const std::optional<plane::Density>& density, int columns)
     job.lattice = period;
     job.points = pattern_points(best_lattice(period, 48));
     job.points.colwise() += plane::Vec2(0.01, 0.02);
-    job.max_iterations = 0;
+    job.run.max_iterations = 0;
     job.density = density;
-    job.columns = columns;
-    job.origin = {5, -3};
+    job.tile.columns = columns;
+    job.tile.origin = {5, -3};
     job.outputs = {folder / "t.nc"};
     run_job(job, {});
     return decode_mpas(job.outputs[0], testing::bytes_of(job.outputs[0]));

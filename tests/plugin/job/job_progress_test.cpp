@@ -27,7 +27,7 @@ constexpr std::array kPhases{Phase::kStarting, Phase::kOptimising, Phase::kBuild
 Job job_with_every_phase(const TemporaryFolder& folder) {
     Job job;
     job.n_sites = 1000;
-    job.n_threads = 2;
+    job.run.n_threads = 2;
     job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay, plane::MeshKind::kGrains};
     job.outputs = {folder / "t.ply", folder / "s.txt"};
     job.report = folder / "r.json";

@@ -20,7 +20,7 @@ Job job_for_every_format(const TemporaryFolder& folder, int n_threads) {
     job.n_sites = 192;
     job.start = Start::kLattice;
     job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay};
-    job.n_threads = n_threads;
+    job.run.n_threads = n_threads;
     for (const std::string extension : {"obj", "ply", "glb", "gltf", "om", "svg", "vtu", "foam"}) {
         job.outputs.push_back(folder / ("tile." + extension));
     }
@@ -47,8 +47,8 @@ TEST(JobStaging, ReportsTheFaultOfTheFirstFileInTheList) {
     const TemporaryFolder folder;
     Job job;
     job.n_sites = 20;
-    job.max_iterations = 0;
-    job.n_threads = 4;
+    job.run.max_iterations = 0;
+    job.run.n_threads = 4;
     for (const char* name : {"tile.obj", "q.nc", "p.nc", "r.nc"}) {
         job.outputs.push_back(folder / name);
     }

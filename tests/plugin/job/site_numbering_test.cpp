@@ -91,13 +91,13 @@ Job job_with(const Features& features) {
     job.lattice = plane::Lattice::rectangle(1.25, 1);
     job.n_sites = kNumberedSites;
     job.seed = 5;
-    job.max_iterations = 2;
+    job.run.max_iterations = 2;
     job.walls = features.walls;
     job.wall_cells = features.wall_cells;
     if (features.are_given) {
         job.points = scattered_sites(job.lattice);
         // The sites beside walls move onto them.
-        if (features.wall_cells == WallCells::kWhole) job.max_iterations = 0;
+        if (features.wall_cells == WallCells::kWhole) job.run.max_iterations = 0;
     }
     if (features.has_inclusions) {
         job.inclusions =
@@ -109,14 +109,14 @@ Job job_with(const Features& features) {
         job.materials.draws_orientations = true;
     }
     if (features.is_repeated) {
-        job.columns = features.is_walled(0) ? 1 : 2;
-        job.rows = features.is_walled(1) ? 1 : 2;
+        job.tile.columns = features.is_walled(0) ? 1 : 2;
+        job.tile.rows = features.is_walled(1) ? 1 : 2;
     }
     if (features.has_origin) {
-        job.origin = {features.is_walled(0) ? 0 : 0.3, features.is_walled(1) ? 0 : -7.7};
+        job.tile.origin = {features.is_walled(0) ? 0 : 0.3, features.is_walled(1) ? 0 : -7.7};
     }
-    job.outline = features.outline;
-    job.short_edges = features.short_edges;
+    job.tile.outline = features.outline;
+    job.tile.short_edges = features.short_edges;
     return job;
 }
 
@@ -189,7 +189,7 @@ constexpr double kMovedCorners = 0.05;
 void expect_same_cells(const std::vector<Row>& rows, const TileFile& file, const Job& job) {
     const std::vector<double> areas = areas_in(file.tile, rows.size());
     for (std::size_t s = 0; s < rows.size(); ++s) {
-        if (job.short_edges == 0) {
+        if (job.tile.short_edges == 0) {
             const double margin = job.meshes.empty() ? 1e-9 : kMovedCorners * areas[s];
             EXPECT_NEAR(rows[s].area, areas[s], margin) << "site " << s;
         }
@@ -210,7 +210,7 @@ void expect_one_numbering(Job job, const std::vector<std::string>& extensions) {
     std::vector<plane::Vec2> of_rows;
     for (const Row& row : rows) of_rows.push_back(row.site);
     expect_same_sites(of_rows, sites, job, "table");
-    if (job.points.cols() > 0 && job.max_iterations == 0) {
+    if (job.points.cols() > 0 && job.run.max_iterations == 0) {
         expect_same_sites(sites, list_of(job.points), job, "input");
     }
     for (const std::string& extension : extensions) {
@@ -227,7 +227,7 @@ std::vector<std::string> extensions_of_cells(const Job& job, int first) {
     int turn = first;
     for (const TileFormat& format : tile_formats()) {
         if (!format.needs_tile() || !format.is_readable() || !format.holds_polygons) continue;
-        const bool is_cut = format.is_folder && job.outline == plane::Outline::kBox;
+        const bool is_cut = format.is_folder && job.tile.outline == plane::Outline::kBox;
         const bool has_turn = ++turn % 4 == 0 || format.extension == ".vtu";
         if (has_turn && !is_cut) extensions.emplace_back(format.extension.substr(1));
     }

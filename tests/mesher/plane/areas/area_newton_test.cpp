@@ -36,7 +36,8 @@ Points hard_points(const Lattice& lattice, int n, int kind, std::mt19937_64& ran
         const Vec2 u = lattice.to_lattice(points.col(s));
         if (kind == 1) {
             const Vec2 centre(0.2 * double(s % 4), 0.37 * double(s % 3));
-            points.col(s) = lattice.to_position(centre + 0.01 * Vec2{normal(random), normal(random)});
+            points.col(s) =
+                lattice.to_position(centre + 0.01 * Vec2{normal(random), normal(random)});
         } else if (kind == 2) {
             points.col(s) = lattice.to_position({(s + 0.5 * u.x()) / n, 0.3 + 1e-6 * u.y()});
         } else if (kind == 3) {
@@ -65,8 +66,8 @@ void solve_hard_case(int k, int most_sites, Tally& tally) {
     const Eigen::VectorXd areas = lognormal_areas(delaunay, spread, random);
     Workers workers(1);
     AreaNewton newton(delaunay, workers);
-    const AreaFigures figures = newton.solve(areas, 1e-10);
-    const double error = (newton.masses() - areas).cwiseAbs().maxCoeff();
+    const SizeFigures figures = newton.solve(areas, 1e-10);
+    const double error = (newton.sizes() - areas).cwiseAbs().maxCoeff();
     tally.worst_of_mean = std::max(tally.worst_of_mean, error / areas.mean());
     tally.most_steps = std::max(tally.most_steps, figures.newton_steps);
     tally.n_rounding += figures.largest_relative_error > 1e-10;
@@ -103,13 +104,13 @@ TEST(AreaNewton, AThousandGrainsNeedTwelveStepsAtMost) {
         Workers workers(1);
         std::mt19937_64 random(seed);
         AreaNewton newton(delaunay, workers);
-        const AreaFigures figures = newton.solve(lognormal_areas(delaunay, 0.42, random), 1e-10);
+        const SizeFigures figures = newton.solve(lognormal_areas(delaunay, 0.42, random), 1e-10);
         EXPECT_LE(figures.largest_relative_error, 1e-10);
         EXPECT_LE(figures.newton_steps, 12);
         // Law 2.
         EXPECT_NEAR(newton.weights().sum(), 0, 1e-10);
         // The last weights are a good start.
-        EXPECT_EQ(newton.solve(newton.masses(), 1e-10).newton_steps, 0);
+        EXPECT_EQ(newton.solve(newton.sizes(), 1e-10).newton_steps, 0);
     }
 }
 
@@ -120,7 +121,7 @@ TEST(AreaNewton, EqualAreasOnALatticeNeedNoWeights) {
         Workers workers(1);
         AreaNewton newton(delaunay, workers);
         const double total = delaunay.frame().ax * delaunay.frame().by;
-        const AreaFigures figures = newton.solve(Eigen::VectorXd::Constant(35, total / 35), 1e-12);
+        const SizeFigures figures = newton.solve(Eigen::VectorXd::Constant(35, total / 35), 1e-12);
         EXPECT_EQ(figures.newton_steps, 0) << name;
         EXPECT_EQ(newton.weights(), Eigen::VectorXd::Zero(35)) << name;
     }
@@ -138,7 +139,7 @@ TEST(AreaNewton, EveryBitIsTheSameForAnyNumberOfWorkers) {
     AreaNewton second(delaunay, three);
     EXPECT_EQ(first.solve(areas, 1e-10).trials, second.solve(areas, 1e-10).trials);
     EXPECT_EQ(first.weights(), second.weights());
-    EXPECT_EQ(first.masses(), second.masses());
+    EXPECT_EQ(first.sizes(), second.sizes());
 }
 
 }  // namespace

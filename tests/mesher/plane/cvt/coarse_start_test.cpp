@@ -65,7 +65,7 @@ TEST(CoarseStart, LeadsToLowerMinimaBetweenWallsSlow) {
         for (const WallCells cells : {WallCells::kWhole, WallCells::kHalf}) {
             if (walls == Walls::kXY && cells == WallCells::kHalf) continue;
             CvtOptions options;
-            options.tolerance = 1e-4;
+            options.run.tolerance = 1e-4;
             const auto energy = [&](const Points& start) {
                 return compute_walled_cvt(lattice, walls, cells, start, options).torus.run.energy;
             };
@@ -104,7 +104,7 @@ TEST(CoarseStart, DependsOnTheSeedAndNotOnTheThreads) {
 TEST(CoarseStart, LeadsToLowerMinimaWithFewerDefects) {
     const Lattice lattice = Lattice::rectangle(1, 1);
     CvtOptions options;
-    options.tolerance = 1e-4;
+    options.run.tolerance = 1e-4;
     const CvtResult from_random = compute_cvt(lattice, uniform_points(lattice, 4000, 1), options);
     const CvtResult from_coarse =
         compute_cvt(lattice, coarse_start(lattice, 4000, seeded(1)), options);
@@ -117,7 +117,7 @@ TEST(CoarseStart, LeadsToLowerMinimaOfSmoothDensitiesToo) {
     const Lattice lattice = Lattice::rectangle(1, 1);
     CvtOptions options;
     options.density = testing::ridge_density();
-    options.tolerance = 1e-3;
+    options.run.tolerance = 1e-3;
     CoarseStartOptions coarse = seeded(1);
     coarse.density = options.density;
     const CvtResult from_random =
@@ -132,7 +132,7 @@ TEST(CoarseStart, LeadsToLowerMinimaOfSmoothDensitiesToo) {
 TEST(CoarseStart, StopsWhenCancelled) {
     CoarseStartOptions options = seeded(1);
     int n_calls = 0;
-    options.progress = [&](const Progress&) { return ++n_calls < 5; };
+    options.run.progress = [&](const Progress&) { return ++n_calls < 5; };
     EXPECT_EQ(coarse_start(Lattice::rectangle(1, 1), 1000, options).cols(), 0);
     EXPECT_EQ(n_calls, 5);
 }

@@ -67,10 +67,10 @@ TEST(Cvt, TheReportedFiguresAgreeWithAnIndependentEvaluation) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     CvtOptions options = to_tolerance(1e-9);
     for (const int limit : {0, 1, 7, -1}) {
-        options.max_iterations = limit;
+        options.run.max_iterations = limit;
         expect_as_told(random_cvt(lattice, 40, 1, options));
     }
-    options.max_iterations = 0;
+    options.run.max_iterations = 0;
     for (const std::uint64_t seed : {1, 2, 3})
         expect_as_told(random_cvt(lattice, 40000, seed, options));
 }
@@ -79,7 +79,7 @@ TEST(Cvt, ZeroIterationsKeepTheSitesAsGiven) {
     const Lattice unit = Lattice::rectangle(1, 1);
     const Points points = uniform_points(unit, 25, 2);
     CvtOptions options;
-    options.max_iterations = 0;
+    options.run.max_iterations = 0;
     const CvtResult result = compute_cvt(unit, points, options);
     EXPECT_EQ(result.run.stop, Stop::kIterationLimit);
     for (SiteId s = 0; s < 25; ++s) {
@@ -93,7 +93,7 @@ TEST(Cvt, SitesStayInTheCallersOrder) {
         for (const int n_iterations : {0, 1}) {
             const Points points = uniform_points(lattice, 60, 6);
             CvtOptions options;
-            options.max_iterations = n_iterations;
+            options.run.max_iterations = n_iterations;
             const CvtResult result = compute_cvt(lattice, points, options);
             const Sites& sites = result.delaunay.sites();
             const double most = n_iterations * 0.5 * sites.spacing();
@@ -130,10 +130,10 @@ TEST(Cvt, NoSiteMovesFurtherThanHalfOfH) {
     for (const auto& lattice : {Lattice::rectangle(1, 1), Lattice({1, 0}, {0.37, 0.81})}) {
         for (std::uint64_t seed = 0; seed < 5; ++seed) {
             CvtOptions options = to_tolerance(0);
-            options.max_iterations = 0;
+            options.run.max_iterations = 0;
             CvtResult before = random_cvt(lattice, 40, seed, options);
-            while (options.max_iterations < 30) {
-                ++options.max_iterations;
+            while (options.run.max_iterations < 30) {
+                ++options.run.max_iterations;
                 CvtResult after = random_cvt(lattice, 40, seed, options);
                 EXPECT_LE(longest_move(before, after), 0.5 * (1 + 1e-6));
                 before = std::move(after);
@@ -146,8 +146,8 @@ TEST(Cvt, ALloydStepEndsAtTheCentroids) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     const CvtResult before = random_cvt(lattice, 60, 8, to_tolerance(1e-2));
     CvtOptions one_step = to_tolerance(0);
-    one_step.solver = Solver::kLloyd;
-    one_step.max_iterations = 1;
+    one_step.run.solver = Solver::kLloyd;
+    one_step.run.max_iterations = 1;
     const CvtResult after = compute_cvt(lattice, positions(before), one_step);
     const testing::PlaneEnergy state = testing::energy_at(before.delaunay.sites());
     const Sites& sites = after.delaunay.sites();
@@ -162,8 +162,8 @@ TEST(Cvt, ALloydStepEndsAtTheCentroids) {
 int evaluations_to_rms(Solver solver, std::uint64_t seed) {
     int evaluations = 0;
     CvtOptions options = to_tolerance(0);
-    options.solver = solver;
-    options.progress = [&](const Progress& p) {
+    options.run.solver = solver;
+    options.run.progress = [&](const Progress& p) {
         evaluations = p.evaluations;
         return p.rms_residual > 1e-6;
     };
@@ -186,7 +186,7 @@ TEST(SlowCvt, LbfgsNeedsFewEvaluationsAndLloydMany) {
 
 CvtResult to_machine_precision(Solver solver, int n, std::uint64_t seed) {
     CvtOptions options = to_tolerance(1e-10);
-    options.solver = solver;
+    options.run.solver = solver;
     CvtResult result = random_cvt(Lattice::rectangle(1, 1), n, seed, options);
     EXPECT_EQ(result.run.stop, Stop::kConverged);
     return result;
@@ -246,8 +246,8 @@ TEST(SlowCvt, NewtonBeginsAtOnceNearALargeLattice) {
 TEST(Cvt, LloydNeverRaisesTheEnergy) {
     double previous = 1e300;
     CvtOptions options = to_tolerance(1e-5);
-    options.solver = Solver::kLloyd;
-    options.progress = [&](const Progress& p) {
+    options.run.solver = Solver::kLloyd;
+    options.run.progress = [&](const Progress& p) {
         EXPECT_LE(p.value, previous * (1 + 1e-14));
         previous = p.value;
         return true;
@@ -298,10 +298,10 @@ TEST(Cvt, TheSameInputGivesTheSameBits) {
 
 void expect_same_bits_for_threads(int n, CvtOptions options) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
-    options.n_threads = 1;
+    options.run.n_threads = 1;
     const CvtResult one = random_cvt(lattice, n, 5, options);
     for (const int n_threads : {2, 3}) {
-        options.n_threads = n_threads;
+        options.run.n_threads = n_threads;
         expect_same_bits(random_cvt(lattice, n, 5, options), one);
     }
 }
@@ -309,13 +309,13 @@ void expect_same_bits_for_threads(int n, CvtOptions options) {
 TEST(Cvt, TheNumberOfThreadsDoesNotMatter) {
     expect_same_bits_for_threads(1000, to_tolerance(1e-4));
     CvtOptions few_iterations = to_tolerance(0);
-    few_iterations.max_iterations = 5;
+    few_iterations.run.max_iterations = 5;
     expect_same_bits_for_threads(40000, few_iterations);
-    few_iterations.solver = Solver::kLloyd;
-    few_iterations.max_iterations = 2;
+    few_iterations.run.solver = Solver::kLloyd;
+    few_iterations.run.max_iterations = 2;
     expect_same_bits_for_threads(40000, few_iterations);
-    few_iterations.solver = Solver::kNewton;
-    few_iterations.max_iterations = 4;
+    few_iterations.run.solver = Solver::kNewton;
+    few_iterations.run.max_iterations = 4;
     expect_same_bits_for_threads(40000, few_iterations);
 }
 
@@ -325,7 +325,7 @@ TEST(Cvt, NeedsFewFlipsPerSiteAndNoRebuild) {
          {Lattice::rectangle(1, 1), Lattice({1, 0}, {0.37, 0.81}), Lattice::rectangle(20, 1)}) {
         const int n = 10000;
         CvtOptions options = to_tolerance(0);
-        options.progress = [](const Progress& p) { return p.rms_residual > 1e-3; };
+        options.run.progress = [](const Progress& p) { return p.rms_residual > 1e-3; };
         const CvtResult result = random_cvt(lattice, n, 7, options);
         EXPECT_EQ(result.run.stop, Stop::kCancelled);
         EXPECT_EQ(result.counts.n_rebuilds, 0);

@@ -17,7 +17,7 @@ using testing::kSquare;
 
 CvtResult optimise(const Lattice& lattice, const Density& density, int n, double tolerance) {
     CvtOptions options;
-    options.tolerance = tolerance;
+    options.run.tolerance = tolerance;
     options.density = density;
     return compute_cvt(lattice, graded_points(lattice, density, n, 2), options);
 }
@@ -40,7 +40,7 @@ TEST(DensityCvt, NeedsAFractionOfTheEvaluationsOfPlainLbfgs) {
         options.density = density;
         const Points points = graded_points(kSquare, density, 1000, 2);
         const CvtResult result = compute_cvt(kSquare, points, options);
-        options.solver = Solver::kPlainLbfgs;
+        options.run.solver = Solver::kPlainLbfgs;
         const CvtResult plain = compute_cvt(kSquare, points, options);
         EXPECT_EQ(result.run.stop, Stop::kConverged);
         EXPECT_GT(result.run.hessians, 0);
@@ -54,7 +54,7 @@ TEST(DensityCvt, NeedsAFractionOfTheEvaluationsOfPlainLbfgs) {
 TEST(DensityCvt, NewtonsMethodFromTheStartEndsInAMinimumToo) {
     CvtOptions options;
     options.density = testing::smooth_density();
-    options.solver = Solver::kNewton;
+    options.run.solver = Solver::kNewton;
     const CvtResult result =
         compute_cvt(kSquare, graded_points(kSquare, *options.density, 300, 2), options);
     EXPECT_EQ(result.run.stop, Stop::kConverged);
@@ -123,7 +123,7 @@ TEST(DensityCvt, SpacingFollowsGershosLaw) {
     EXPECT_NEAR(result.run.energy / result.density->expected_energy, 1, 0.02);
     // Uniformly random sites, which ignore the density, deviate far more.
     CvtOptions options;
-    options.max_iterations = 0;
+    options.run.max_iterations = 0;
     options.density = testing::ridge_density();
     const CvtResult uniform = compute_cvt(kSquare, uniform_points(kSquare, 2000, 1), options);
     EXPECT_GT(uniform.density->spacing_deviation, 0.2);
@@ -155,7 +155,7 @@ TEST(DensityCvt, AJumpWithoutBreakLinesStallsAndCountsRoughCells) {
 TEST(DensityCvt, AConstantDensityGivesTheUniformEnergy) {
     const Points points = uniform_points(kSquare, 50, 4);
     CvtOptions options;
-    options.tolerance = 1e-10;
+    options.run.tolerance = 1e-10;
     const CvtResult uniform = compute_cvt(kSquare, points, options);
     options.density = shared_density([](const DensityPoint&) { return 7.0; });
     const CvtResult weighted = compute_cvt(kSquare, points, options);
@@ -181,10 +181,10 @@ TEST(DensityCvt, UnitsOfLengthAndDensityChangeNothing) {
 TEST(DensityCvt, IsTheSameToTheLastBitForAnyNumberOfThreads) {
     CvtOptions options;
     options.density = testing::ridge_density();
-    options.tolerance = 1e-2;
+    options.run.tolerance = 1e-2;
     const Points points = graded_points(kSquare, *options.density, 1500, 3);
     const CvtResult one = compute_cvt(kSquare, points, options);
-    options.n_threads = 3;
+    options.run.n_threads = 3;
     const CvtResult three = compute_cvt(kSquare, points, options);
     EXPECT_EQ(three.run.energy, one.run.energy);
     EXPECT_EQ(three.delaunay.sites().coordinates(), one.delaunay.sites().coordinates());
@@ -194,7 +194,7 @@ TEST(DensityCvt, ProgressCountsOverAllRoundsAndCancels) {
     CvtOptions options;
     options.density = testing::smooth_density();
     std::vector<Progress> seen;
-    options.progress = [&](const Progress& progress) {
+    options.run.progress = [&](const Progress& progress) {
         seen.push_back(progress);
         return true;
     };
@@ -204,10 +204,10 @@ TEST(DensityCvt, ProgressCountsOverAllRoundsAndCancels) {
     EXPECT_EQ(seen.back().iteration, result.run.iterations);
     EXPECT_EQ(seen.back().evaluations, result.run.evaluations);
     EXPECT_DOUBLE_EQ(seen.back().value, result.run.energy);
-    options.progress = [](const Progress& progress) { return progress.iteration < 40; };
+    options.run.progress = [](const Progress& progress) { return progress.iteration < 40; };
     EXPECT_EQ(compute_cvt(kSquare, points, options).run.stop, Stop::kCancelled);
-    options.progress = nullptr;
-    options.max_iterations = 30;
+    options.run.progress = nullptr;
+    options.run.max_iterations = 30;
     const CvtResult limited = compute_cvt(kSquare, points, options);
     EXPECT_EQ(limited.run.stop, Stop::kIterationLimit);
     EXPECT_EQ(limited.run.iterations, 30);
@@ -215,8 +215,8 @@ TEST(DensityCvt, ProgressCountsOverAllRoundsAndCancels) {
 
 TEST(DensityCvt, SlowLloydsIterationEndsAtTheCentroids) {
     CvtOptions options;
-    options.solver = Solver::kLloyd;
-    options.tolerance = 1e-5;
+    options.run.solver = Solver::kLloyd;
+    options.run.tolerance = 1e-5;
     options.density = testing::ridge_density();
     const Points points = graded_points(kSquare, *options.density, 60, 3);
     const CvtResult result = compute_cvt(kSquare, points, options);

@@ -61,7 +61,7 @@ void expect_free_at_centroids(const Problem& problem, const CvtResult& result) {
         sum += std::pow(move / sites.spacing(), 2);
         ++n_free;
     }
-    EXPECT_LE(largest, problem.options.tolerance * (1 + 1e-6));
+    EXPECT_LE(largest, problem.options.run.tolerance * (1 + 1e-6));
     EXPECT_NEAR(result.run.residual, largest, 1e-3 * largest + 1e-13);
     EXPECT_NEAR(result.run.rms_residual, std::sqrt(sum / std::max(1, n_free)),
                 1e-3 * largest + 1e-13);
@@ -88,8 +88,8 @@ TEST(FixedSites, StayWithEverySolver) {
         // With 700 sites long waves are preconditioned.
         for (const int n : {40, 700}) {
             Problem problem = random_problem(lattice, n, 0.2, 3);
-            problem.options.solver = row.solver;
-            problem.options.tolerance = row.solver == Solver::kLloyd ? 1e-3 : 1e-8;
+            problem.options.run.solver = row.solver;
+            problem.options.run.tolerance = row.solver == Solver::kLloyd ? 1e-3 : 1e-8;
             problem.options.precondition_below = 1e-2;
             const CvtResult result = solve(problem);
             SCOPED_TRACE(row.word);
@@ -105,12 +105,12 @@ TEST(FixedSites, SlowStayWithADensity) {
     for (const SolverRow& row : kSolvers) {
         for (const int n : {5, row.solver == Solver::kLbfgs ? 600 : 60}) {
             Problem problem = random_problem(lattice, n, 0.2, 4);
-            problem.options.solver = row.solver;
+            problem.options.run.solver = row.solver;
             problem.options.density = testing::smooth_density();
-            problem.options.tolerance = row.solver == Solver::kLloyd ? 1e-2 : 1e-5;
+            problem.options.run.tolerance = row.solver == Solver::kLloyd ? 1e-2 : 1e-5;
             const CvtResult result = solve(problem);
             EXPECT_EQ(result.run.stop, Stop::kConverged) << row.word << " n = " << n;
-            EXPECT_LE(result.run.residual, problem.options.tolerance);
+            EXPECT_LE(result.run.residual, problem.options.run.tolerance);
             expect_fixed(problem, result);
             // A second run from there has nothing to do.
             const CvtResult again = compute_cvt(result.delaunay.sites(), problem.options);
@@ -121,9 +121,9 @@ TEST(FixedSites, SlowStayWithADensity) {
 
 TEST(FixedSites, NewtonUsesTheirHessian) {
     Problem problem = random_problem(Lattice::rectangle(1, 1), 300, 0.3, 5);
-    problem.options.tolerance = 1e-10;
+    problem.options.run.tolerance = 1e-10;
     const int with_newton = solve(problem).run.evaluations;
-    problem.options.solver = Solver::kPlainLbfgs;
+    problem.options.run.solver = Solver::kPlainLbfgs;
     EXPECT_LT(with_newton, 0.7 * solve(problem).run.evaluations);
 }
 
@@ -172,7 +172,7 @@ TEST(SiteGuard, KeepsSitesWhereTheyAreAdmitted) {
             HalfPlanes guard;
             CvtOptions options;
             options.guard = &guard;
-            options.max_iterations = 40;
+            options.run.max_iterations = 40;
             if (with_density) options.density = testing::smooth_density();
             const CvtResult result = compute_cvt(unit, points, options);
             EXPECT_LT(result.delaunay.sites().coordinates()(1, 0), 0.5);

@@ -164,7 +164,7 @@ TEST(InterfaceCvt, FollowsADensity) {
         kSquare, {{Circle{{0.95, 0.1}, 0.25}, 1, 1}, {Ellipse{{0.4, 0.6}, 0.2, 0.1, 30}, 2, 2}});
     CvtOptions options;
     options.density = testing::smooth_density();
-    options.tolerance = 1e-4;
+    options.run.tolerance = 1e-4;
     const InterfaceCvt result = compute_interface_cvt(set, 1500, 1, options);
     EXPECT_EQ(result.cvt.run.stop, Stop::kConverged);
     expect_laws(set, result);
@@ -175,8 +175,8 @@ TEST(InterfaceCvt, RunsWithEverySolver) {
     const InclusionSet set(kSquare, {{Circle{{0, 0}, 0.3}, 1, 1}});
     for (const SolverRow& row : kSolvers) {
         CvtOptions options;
-        options.solver = row.solver;
-        options.tolerance = 1e-3;
+        options.run.solver = row.solver;
+        options.run.tolerance = 1e-3;
         const InterfaceCvt result = compute_interface_cvt(set, 500, 1, options);
         EXPECT_EQ(result.cvt.run.stop, Stop::kConverged) << row.word;
         expect_laws(set, result);
@@ -187,7 +187,7 @@ TEST(InterfaceCvt, IsTheSameForAnyNumberOfThreads) {
     const InclusionSet set(kSquare, {{Circle{{0, 0}, 0.3}, 1, 1}});
     CvtOptions options;
     const InterfaceCvt one = compute_interface_cvt(set, 600, 1, options);
-    options.n_threads = 3;
+    options.run.n_threads = 3;
     const InterfaceCvt other = compute_interface_cvt(set, 600, 1, options);
     EXPECT_EQ(one.cvt.delaunay.sites().coordinates(), other.cvt.delaunay.sites().coordinates());
 }
@@ -271,7 +271,7 @@ TEST(InterfaceCvt, SlowHasHalfCellsOrSaysThatAWallIsTooNear) {
                                walls);
         try {
             CvtOptions options;
-            options.tolerance = 1e-3;
+            options.run.tolerance = 1e-3;
             const InterfaceCvt result = compute(set, 500, 1, options, WallCells::kHalf);
             expect_laws(set, result);
             EXPECT_GT(result.walled->n_on_walls, 20);
@@ -295,7 +295,7 @@ TEST(InterfaceCvt, TakesPolygonsWithParallelSidesAtAnyAngle) {
                                centre + 0.2 * along + 0.1 * up, centre - 0.2 * along + 0.1 * up},
                        1, 1}});
         CvtOptions options;
-        options.max_iterations = 0;
+        options.run.max_iterations = 0;
         const InterfaceCvt result = compute_interface_cvt(set, 400, 1, options);
         EXPECT_LT(result.interfaces.chords.size(), 80u) << k;
         expect_laws(set, result);
@@ -311,15 +311,15 @@ TEST(InterfaceCvt, WithoutInclusionsIsACvt) {
 TEST(InterfaceCvt, EndsWhereItsCallerWantsIt) {
     const InclusionSet set(kSquare, {{Circle{{0, 0}, 0.3}, 1, 1}});
     CvtOptions options;
-    options.max_iterations = 5;
+    options.run.max_iterations = 5;
     const InterfaceCvt limited = compute_interface_cvt(set, 500, 1, options);
     EXPECT_EQ(limited.cvt.run.stop, Stop::kIterationLimit);
     EXPECT_EQ(limited.cvt.run.iterations, 5);
     expect_laws(set, limited);
-    options.max_iterations = 0;
+    options.run.max_iterations = 0;
     expect_laws(set, compute_interface_cvt(set, 500, 1, options));
-    options.max_iterations = -1;
-    options.progress = [](const Progress& progress) { return progress.iteration < 7; };
+    options.run.max_iterations = -1;
+    options.run.progress = [](const Progress& progress) { return progress.iteration < 7; };
     const InterfaceCvt cancelled = compute_interface_cvt(set, 500, 1, options);
     EXPECT_EQ(cancelled.cvt.run.stop, Stop::kCancelled);
     expect_laws(set, cancelled);

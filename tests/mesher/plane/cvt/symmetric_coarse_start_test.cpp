@@ -118,7 +118,7 @@ TEST(SymmetricCoarseStart, SlowHasFewClosePairs) {
 
 TEST(SymmetricCoarseStart, SlowLeadsToLowerMinima) {
     CvtOptions options;
-    options.tolerance = 1e-4;
+    options.run.tolerance = 1e-4;
     for (const PlaneGroupName name :
          {PlaneGroupName::kP2, PlaneGroupName::kPm, PlaneGroupName::kPgg, PlaneGroupName::kP3}) {
         const PlaneGroup group = example(name);
@@ -147,10 +147,10 @@ TEST(SymmetricCoarseStart, FollowsADensity) {
     const auto start = symmetric_coarse_start(group, general_plan(group, 200), options);
     ASSERT_TRUE(start.has_value());
     expect_symmetric(*start, start->sites);
-    CvtOptions run;
-    run.density = options.density;
-    run.max_iterations = 0;
-    const CvtResult at_start = compute_cvt(*start, run);
+    CvtOptions as_given;
+    as_given.run.max_iterations = 0;
+    as_given.density = options.density;
+    const CvtResult at_start = compute_cvt(*start, as_given);
     EXPECT_LT(at_start.run.energy, 1.3 * at_start.density->expected_energy);
 }
 
@@ -168,7 +168,7 @@ TEST(SymmetricCoarseStart, StopsWhenCancelled) {
     const PlaneGroup group = example(PlaneGroupName::kPgg);
     CoarseStartOptions options = seeded(1);
     int n_calls = 0;
-    options.progress = [&](const Progress&) { return ++n_calls < 5; };
+    options.run.progress = [&](const Progress&) { return ++n_calls < 5; };
     EXPECT_FALSE(symmetric_coarse_start(group, general_plan(group, 300), options).has_value());
     EXPECT_EQ(n_calls, 5);
 }

@@ -172,7 +172,7 @@ TEST(WalledAreaCvt, SlowRandomJobsGiveTheCellsOfHalfPlanesInTheWishedAreas) {
         SCOPED_TRACE("case " + std::to_string(k));
         const WalledJob job = random_job(k);
         const WalledAreaCvt result = computed(job);
-        const AreaFigures& areas = result.torus.areas;
+        const SizeFigures& areas = result.torus.areas;
         const double bound = std::max(area_tolerance(1), areas.rounding);
         EXPECT_LE(areas.largest_relative_error, bound);
         n_rounding += !areas.converged;

@@ -132,7 +132,7 @@ TEST(WalledCvt, ProgressAndCountsGoOnFromRoundToRound) {
     CvtOptions options = to_tolerance(1e-6);
     int n_backwards = 0;
     Progress last;
-    options.progress = [&](const Progress& progress) {
+    options.run.progress = [&](const Progress& progress) {
         n_backwards +=
             progress.iteration < last.iteration || progress.evaluations < last.evaluations;
         last = progress;
@@ -149,7 +149,7 @@ TEST(WalledCvt, NumberingByColumnsSortsTheSites) {
     const Lattice box = Lattice::rectangle(1.3, 1);
     const Points points = uniform_points(box, 50, 3);
     CvtOptions options;
-    options.max_iterations = 0;
+    options.run.max_iterations = 0;
     options.numbering = Numbering::kByColumns;
     const WalledCvt cvt = compute_walled_cvt(box, Walls::kY, WallCells::kWhole, points, options);
     const Points sorted = sorted_by_columns(box, points);
@@ -174,7 +174,7 @@ TEST(WalledCvt, SlowResultsDoNotDependOnTheNumberOfThreads) {
     CvtOptions options = to_tolerance(1e-6);
     const Lattice box = Lattice::rectangle(1, 2);
     const WalledCvt one = walled(box, Walls::kX, 3000, options);
-    options.n_threads = 3;
+    options.run.n_threads = 3;
     const WalledCvt three = walled(box, Walls::kX, 3000, options);
     EXPECT_EQ(points_between_walls(one.torus.delaunay, one.domain),
               points_between_walls(three.torus.delaunay, three.domain));

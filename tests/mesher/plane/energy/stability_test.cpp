@@ -63,7 +63,7 @@ TEST(Stability, AgreesWithAllEigenvalues) {
         for (const int n : {2, 3, 8, 40}) {
             for (const int iterations : {0, 5, 20, -1}) {
                 CvtOptions options;
-                options.max_iterations = iterations;
+                options.run.max_iterations = iterations;
                 const CvtResult result =
                     compute_cvt(lattice, uniform_points(lattice, n, 9), options);
                 BlockMatrix hessian;

@@ -41,7 +41,7 @@ PeriodicMesh ready_cells(const Sites& sites) {
 
 PeriodicMesh optimised_cells(const Lattice& lattice, int n, std::uint64_t seed) {
     CvtOptions options;
-    options.tolerance = 1e-3;
+    options.run.tolerance = 1e-3;
     const CvtResult result = compute_cvt(lattice, uniform_points(lattice, n, seed), options);
     const PeriodicMesh cells = periodic_mesh(result.delaunay, MeshKind::kVoronoi);
     return without_short_edges(cells, kShortGrainEdge * spacing(cells));

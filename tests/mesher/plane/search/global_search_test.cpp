@@ -20,7 +20,7 @@ SearchResult search(const Lattice& period, int n, int budget, int n_threads = 1)
 /// Law (1), and the reported energy is the energy of the sites.
 TEST(GlobalSearch, IsNeverAboveTheBestLattice) {
     CvtOptions as_given;
-    as_given.max_iterations = 0;
+    as_given.run.max_iterations = 0;
     for (const auto& [name, period] : testing::lattices()) {
         for (const int n : {1, 2, 7, 40}) {
             const SearchResult result = search(period, n, 600);

@@ -14,7 +14,7 @@ using testing::kSquare;
 
 CvtResult tessellation(const Lattice& period, Points points) {
     CvtOptions as_given;
-    as_given.max_iterations = 0;
+    as_given.run.max_iterations = 0;
     return compute_cvt(period, std::move(points), as_given);
 }
 
@@ -72,7 +72,7 @@ TEST(AsLattice, FindsNoneForALatticeWithAnExtraSite) {
 
 TEST(AsLattice, CertifiesAnAllHexagonResultOfARandomStart) {
     CvtOptions options;
-    options.tolerance = 1e-8;
+    options.run.tolerance = 1e-8;
     const CvtResult result = compute_cvt(kSquare, uniform_points(kSquare, 18, 4), options);
     const auto found = as_lattice(result);
     ASSERT_TRUE(found);

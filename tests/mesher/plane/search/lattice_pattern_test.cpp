@@ -17,7 +17,7 @@ using testing::kSquare;
 
 CvtResult pattern_tessellation(const LatticePattern& pattern) {
     CvtOptions as_given;
-    as_given.max_iterations = 0;
+    as_given.run.max_iterations = 0;
     return compute_cvt(pattern.period, pattern_points(pattern), as_given);
 }
 

@@ -16,7 +16,7 @@ using testing::fitting_lattice;
 
 CvtOptions to_tolerance(double tolerance) {
     CvtOptions options;
-    options.tolerance = tolerance;
+    options.run.tolerance = tolerance;
     return options;
 }
 
@@ -79,7 +79,7 @@ TEST(SymmetricCvt, EverySolverConverges) {
             const PlaneGroup group(name, fitting_lattice(name));
             const SymmetricSites start = start_of(group, 61, 4);
             CvtOptions options = to_tolerance(1e-5);
-            options.solver = solver;
+            options.run.solver = solver;
             const CvtResult result = compute_cvt(start, options);
             EXPECT_EQ(result.run.stop, Stop::kConverged) << group.row().word;
             expect_sound(start, result);
@@ -91,10 +91,10 @@ TEST(SymmetricCvt, PreconditionsLongWaves) {
     const PlaneGroup group(PlaneGroupName::kP4m, fitting_lattice(PlaneGroupName::kP4m));
     const SymmetricSites start = start_of(group, 4001, 4);
     CvtOptions options = to_tolerance(1e-5);
-    options.solver = Solver::kPlainLbfgs;
+    options.run.solver = Solver::kPlainLbfgs;
     options.precondition_below = 0;
     const CvtResult without = compute_cvt(start, options);
-    options.solver = Solver::kLbfgs;
+    options.run.solver = Solver::kLbfgs;
     options.precondition_below = 3e-4;
     const CvtResult with = compute_cvt(start, options);
     EXPECT_EQ(with.run.stop, Stop::kConverged);
@@ -106,11 +106,11 @@ TEST(SymmetricCvt, IsTheSameForAnyNumberOfThreads) {
     const PlaneGroup group(PlaneGroupName::kP6m, fitting_lattice(PlaneGroupName::kP6m));
     const SymmetricSites start = start_of(group, 40'003, 4);
     CvtOptions options;
-    options.max_iterations = 8;
+    options.run.max_iterations = 8;
     options.precondition_below = 1;
     const CvtResult one = compute_cvt(start, options);
     for (const int n_threads : {2, 3}) {
-        options.n_threads = n_threads;
+        options.run.n_threads = n_threads;
         const CvtResult more = compute_cvt(start, options);
         EXPECT_EQ(more.delaunay.sites().coordinates(), one.delaunay.sites().coordinates());
         EXPECT_EQ(more.run.energy, one.run.energy);

@@ -52,7 +52,7 @@ Case random_case(std::mt19937_64& random) {
     const std::vector<Inclusion> shapes = testing::random_inclusions(lattice, wanted, random);
     const InclusionSet set(lattice, shapes);
     CvtOptions few_steps;
-    few_steps.max_iterations = int(3 * unit(random));
+    few_steps.run.max_iterations = int(3 * unit(random));
     std::vector<int> tags{1};
     if (shapes.size() > 1 && unit(random) < 0.7) tags.push_back(2);
     return {compute_interface_cvt(set, 900 + int(500 * unit(random)), random(), few_steps), tags};

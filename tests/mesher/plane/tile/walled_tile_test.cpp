@@ -19,8 +19,8 @@ namespace {
 WalledCvt walled(const Lattice& lattice, Walls walls, WallCells cells, int n, std::uint64_t seed,
                  int max_iterations) {
     CvtOptions options;
-    options.max_iterations = max_iterations;
-    options.tolerance = 1e-4;
+    options.run.max_iterations = max_iterations;
+    options.run.tolerance = 1e-4;
     return compute_walled_cvt(lattice, walls, cells, uniform_points(lattice, n, seed), options);
 }
 

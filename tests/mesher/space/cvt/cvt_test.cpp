@@ -31,7 +31,7 @@ TEST(SpaceCvt, CubicLatticesReturnFromNoise) {
         const auto n = int(exact.cols());
         SCOPED_TRACE(n);
         const double noise = 0.05 / std::cbrt(n);
-        const auto result = compute_cvt(cube, with_noise(exact, noise, 1), {.tolerance = 1e-8});
+        const auto result = compute_cvt(cube, with_noise(exact, noise, 1), {{.tolerance = 1e-8}});
         EXPECT_EQ(result.run.stop, Stop::kConverged);
         EXPECT_NEAR(result.run.energy / closed_form(kind, n), 1, 1e-12);
     };
@@ -42,7 +42,8 @@ TEST(SpaceCvt, CubicLatticesReturnFromNoise) {
 TEST(SpaceCvt, RandomStartsEndNearTheBodyCentredLattice) {
     const Lattice cube = Lattice::box(1, 1, 1);
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-        const auto result = compute_cvt(cube, uniform_points(cube, 250, seed), {.tolerance = 1e-4});
+        const auto result =
+            compute_cvt(cube, uniform_points(cube, 250, seed), {{.tolerance = 1e-4}});
         EXPECT_EQ(result.run.stop, Stop::kConverged);
         const double ratio = result.run.energy / body_centred_energy(1, 250);
         EXPECT_GT(ratio, 1 - 1e-12);
@@ -56,8 +57,8 @@ TEST(SpaceCvt, RandomStartsEndNearTheBodyCentredLattice) {
 TEST(SpaceCvt, LloydNeverIncreasesTheEnergy) {
     const Lattice lattice({1, 0, 0}, {0.3, 1, 0}, {0.1, 0.2, 1.3});
     double last = std::numeric_limits<double>::infinity();
-    CvtOptions options{.solver = Solver::kLloyd, .max_iterations = 30};
-    options.progress = [&](const Progress& progress) {
+    CvtOptions options{{.solver = Solver::kLloyd, .max_iterations = 30}};
+    options.run.progress = [&](const Progress& progress) {
         EXPECT_LE(progress.value, last * (1 + 1e-14));
         last = progress.value;
         return true;
@@ -70,7 +71,7 @@ TEST(SpaceCvt, LloydNeverIncreasesTheEnergy) {
 TEST(SpaceCvt, CancelsAndKeepsAllSites) {
     const Lattice cube = Lattice::box(1, 1, 1);
     CvtOptions options;
-    options.progress = [](const Progress& progress) { return progress.iteration < 3; };
+    options.run.progress = [](const Progress& progress) { return progress.iteration < 3; };
     const auto result = compute_cvt(cube, uniform_points(cube, 30, 1), options);
     EXPECT_EQ(result.run.stop, Stop::kCancelled);
     testing::expect_torus(result.delaunay.tetrahedra, result.delaunay.sites.coordinates());
@@ -90,8 +91,8 @@ TEST(SpaceCvt, FewSitesOnAllLatticesConverge) {
 TEST(SpaceCvt, ThreadsChangeNoBit) {
     const Lattice cube = Lattice::box(1, 1, 1);
     const Points points = uniform_points(cube, 300, 1);
-    const auto one = compute_cvt(cube, points, {.max_iterations = 5, .n_threads = 1});
-    const auto two = compute_cvt(cube, points, {.max_iterations = 5, .n_threads = 2});
+    const auto one = compute_cvt(cube, points, {{.max_iterations = 5, .n_threads = 1}});
+    const auto two = compute_cvt(cube, points, {{.max_iterations = 5, .n_threads = 2}});
     EXPECT_EQ(one.delaunay.sites.coordinates(), two.delaunay.sites.coordinates());
     EXPECT_EQ(one.run.energy, two.run.energy);
 }

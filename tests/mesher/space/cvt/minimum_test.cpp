@@ -26,7 +26,7 @@ TEST(SpaceMinimum, CubesAreSaddlesAndOneIsAMinimum) {
 
 TEST(SpaceMinimum, OptimisedSitesEndAtMinima) {
     for (const int n : {2, 9, 30, 120}) {
-        const auto result = compute_cvt(kCube, uniform_points(kCube, n, n), {.tolerance = 1e-8});
+        const auto result = compute_cvt(kCube, uniform_points(kCube, n, n), {{.tolerance = 1e-8}});
         EXPECT_EQ(decided_minimum(result.delaunay), Minimum::kYes) << n;
     }
 }

@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "mesher/plane/power/power_cells.hpp"
+#include "mesher/cells/cell_graph.hpp"
 
-namespace pcvt::plane {
+namespace pcvt {
 
 /// Sites whose weights stay equal, because a symmetry maps them to each other: sums over each orbit
 /// of such sites, and the adjacency of orbits in place of cells.
@@ -36,4 +36,4 @@ class WeightOrbits {
     int n_orbits_ = 0;
 };
 
-}  // namespace pcvt::plane
+}  // namespace pcvt

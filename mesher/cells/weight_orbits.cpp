@@ -1,11 +1,11 @@
-#include "mesher/plane/areas/weight_orbits.hpp"
+#include "mesher/cells/weight_orbits.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
 
-namespace pcvt::plane {
+namespace pcvt {
 
 WeightOrbits::WeightOrbits(std::vector<int> orbit) : orbit_(std::move(orbit)) {
     for (const int k : orbit_) n_orbits_ = std::max(n_orbits_, k + 1);
@@ -55,4 +55,4 @@ Eigen::VectorXd WeightOrbits::spread(const Eigen::VectorXd& of_orbits) const {
     return of_sites;
 }
 
-}  // namespace pcvt::plane
+}  // namespace pcvt

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+#include "mesher/base/workers.hpp"
+#include "mesher/cells/cell_graph.hpp"
+#include "mesher/cells/weight_orbits.hpp"
+
+namespace pcvt {
+
+/// The figures of SizeNewton::solve. A size is an area in the plane and a volume in space.
+struct SizeFigures {
+    /// max |m_i - s_i| / s_i
+    double largest_relative_error = 0;
+    int newton_steps = 0;
+    /// Products with the Laplacian, and triangulations of trial weights.
+    int products = 0;
+    int trials = 0;
+    /// A bound of the relative error by the rounding of double weights: a size changes with a
+    /// weight by the length or area of a common side over twice the distance of its sites.
+    /// Computed, and above the usual tolerance, only where sites are much closer to each other than
+    /// the cells are long.
+    double rounding = 0;
+    /// Whether the error is below the tolerance or the rounding.
+    bool converged = false;
+};
+
+/// Called before the first step and after each one; an exception ends the iteration.
+using NewtonCallback = std::function<void(const SizeFigures&)>;
+
+/// Finds the weights that give the power cells of fixed sites prescribed sizes.
+///
+/// The weights maximise the concave function (F. Aurenhammer, F. Hoffmann, B. Aronov 1998)
+///
+///   g(w)  =  sum over i of [ w_i s_i + integral over cell i of (|p - x_i|^2 - w_i) ],
+///
+/// whose gradient is s - m, with m the sizes of the cells, and whose Hessian is minus the Laplacian
+/// of the cells' adjacency (cell_graph.hpp). Newton's method is damped (J. Kitagawa, Q. Merigot, B.
+/// Thibert 2019): a step is halved until every cell keeps at least half of the least size, that of
+/// the targets and of the start, and the error |s - m| falls by the factor 1 - t / 2. A step that
+/// would hide a cell is halved as well.
+///
+/// `Diagram` is the power diagram of the sites of a `Diagram::Moving`, copied and swapped freely,
+/// with weights of its own (plane::PowerDiagram):
+///
+///   Diagram(moving, workers)   without weights
+///   n_sites()                  their number
+///   start()                    begins at the Delaunay triangulation of the sites
+///   start(other)               begins at the triangulation of another diagram of these sites
+///   set_weights(weights)       measures the cells; false if a site has none
+///   weights(), sizes()         w and m, by site
+///   graph()                    the adjacency of the cells
+///   kSizeRounding              the relative rounding of weights, and of lengths that follow from
+///                              them, that adds up in one size
+///
+/// Example usage:
+///
+///     SizeNewton<plane::PowerDiagram> newton(delaunay, workers);
+///     const SizeFigures figures = newton.solve(targets, 1e-10);
+///     const Eigen::VectorXd& weights = newton.weights();
+///
+/// Laws, tested by number:
+///   (1) max |m_i - s_i| / s_i <= max(`tolerance`, rounding), for any sites, n >= 1 and positive
+///       targets that sum to the size of the domain.
+///   (2) The weights sum to zero, and equal targets on a lattice give equal weights.
+///   (3) Every bit is the same for any number of workers.
+///   (4) The weights of an orbit are equal to the last bit.
+///
+/// size_newton_definitions.hpp has the definitions.
+template <class Diagram>
+class SizeNewton {
+   public:
+    using Moving = typename Diagram::Moving;
+
+    /// @param moving  restored; it must outlive this object and may move between calls.
+    /// @param orbits  sites of `moving` that map to each other with their targets.
+    SizeNewton(const Moving& moving, Workers& workers, WeightOrbits orbits = {});
+
+    /// Starts from the weights of the last call where they give every site a cell, else from 0.
+    /// @param targets  s_i in the unit of `moving` and its order, positive, with the sum of the
+    ///                 domain's size.
+    SizeFigures solve(const Eigen::VectorXd& targets, double tolerance,
+                      const NewtonCallback& callback = {});
+
+    /// In units^2.
+    const Eigen::VectorXd& weights() const { return here_.weights(); }
+    const Eigen::VectorXd& sizes() const { return here_.sizes(); }
+    const Diagram& diagram() const { return here_; }
+
+   private:
+    /// The adjacency of the orbits of cells.
+    CellGraph graph() const { return orbits_.merged(here_.graph()); }
+    double rounding(const Eigen::VectorXd& targets) const;
+    void begin(double least_target);
+    enum class Outcome { kAccepted, kRounding, kTooShort };
+    Outcome search(const Eigen::VectorXd& targets, const Eigen::VectorXd& direction,
+                   double shortest, double least_size, SizeFigures& figures);
+    bool step(const Eigen::VectorXd& targets, double tolerance, double least_size,
+              SizeFigures& figures);
+
+    WeightOrbits orbits_;
+    Diagram here_;
+    Diagram trial_;
+    double last_step_ = 1;
+};
+
+}  // namespace pcvt

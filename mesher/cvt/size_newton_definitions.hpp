@@ -1,0 +1,150 @@
+#pragma once
+
+// The definitions of size_newton.hpp, for the files that instantiate it.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mesher/cells/laplacian_solver.hpp"
+#include "mesher/cvt/size_newton.hpp"
+
+namespace pcvt {
+namespace detail {
+
+/// The linear equations are solved to this relative residual at first. Near the solution they are
+/// solved to a multiple of the error, so that convergence stays quadratic, or so far that the error
+/// of the least size meets the tolerance, which suffices for the last step.
+inline constexpr double kLoosest = 1e-2;
+inline constexpr double kPerError = 0.3;
+inline constexpr double kPerTolerance = 0.1;
+inline constexpr double kTightest = 1e-8;
+/// Where only steps below this are acceptable along an approximate solution, its error exceeds the
+/// sizes of small cells, and it is solved again to a fraction of the residual.
+inline constexpr double kShortForApproximate = 0x1p-6;
+inline constexpr double kTighter = 1e-3;
+/// Weights of an earlier call are of use if every cell has at least this share of its least target.
+inline constexpr double kSmallestWarmCell = 0.1;
+/// The first trial is this many times as long as the last step, at most the full one.
+inline constexpr double kLonger = 4;
+/// A step shorter than this makes no progress.
+inline constexpr double kShortestStep = 0x1p-30;
+/// Errors below this, relative to the sizes, may be rounding: steps are judged by the largest
+/// relative error, and a full step that does not halve it ends the iteration.
+inline constexpr double kRounding = 1e-9;
+inline constexpr int kMostSteps = 200;
+
+inline double largest_error(const Eigen::VectorXd& sizes, const Eigen::VectorXd& targets) {
+    return ((sizes - targets).array().abs() / targets.array()).maxCoeff();
+}
+
+}  // namespace detail
+
+template <class Diagram>
+SizeNewton<Diagram>::SizeNewton(const Moving& moving, Workers& workers, WeightOrbits orbits)
+    : orbits_(std::move(orbits)), here_(moving, workers), trial_(moving, workers) {}
+
+/// Chooses the weights at which the iteration begins.
+template <class Diagram>
+void SizeNewton<Diagram>::begin(double least_target) {
+    here_.start();
+    if (here_.weights().size() == here_.n_sites()) {
+        if (here_.set_weights(here_.weights()) &&
+            here_.sizes().minCoeff() >= detail::kSmallestWarmCell * least_target) {
+            return;
+        }
+        here_.start();
+    }
+    here_.set_weights(Eigen::VectorXd::Zero(here_.n_sites()));
+}
+
+/// Halves the step along `direction` until it is acceptable, or shorter than `shortest`.
+template <class Diagram>
+typename SizeNewton<Diagram>::Outcome SizeNewton<Diagram>::search(const Eigen::VectorXd& targets,
+                                                                  const Eigen::VectorXd& direction,
+                                                                  double shortest,
+                                                                  double least_size,
+                                                                  SizeFigures& figures) {
+    const double error = (targets - here_.sizes()).norm();
+    const bool near = error < detail::kRounding * targets.norm();
+    for (double t = std::min(1.0, detail::kLonger * last_step_); t >= shortest; t /= 2) {
+        trial_.start(here_);
+        Eigen::VectorXd weights = here_.weights() + t * direction;
+        weights.array() -= weights.mean();
+        ++figures.trials;
+        if (!trial_.set_weights(std::move(weights))) continue;
+        if (!(trial_.sizes().minCoeff() >= least_size)) continue;
+        const bool lower = near ? detail::largest_error(trial_.sizes(), targets) <=
+                                      detail::largest_error(here_.sizes(), targets) / 2
+                                : (targets - trial_.sizes()).norm() <= (1 - t / 2) * error;
+        if (lower) {
+            std::swap(here_, trial_);
+            last_step_ = t;
+            return Outcome::kAccepted;
+        }
+        if (near) return Outcome::kRounding;
+    }
+    return Outcome::kTooShort;
+}
+
+/// Takes one damped step; returns false if no step lowers the error.
+template <class Diagram>
+bool SizeNewton<Diagram>::step(const Eigen::VectorXd& targets, double tolerance, double least_size,
+                               SizeFigures& figures) {
+    const Eigen::VectorXd error = targets - here_.sizes();
+    const Eigen::VectorXd error_of_orbits = orbits_.sums(error);
+    LaplacianSolver solver(graph());
+    Eigen::VectorXd direction;
+    const double least_error = tolerance * targets.minCoeff() * std::sqrt(double(targets.size()));
+    double accuracy = std::max(detail::kPerError * error.norm() / targets.norm(),
+                               detail::kPerTolerance * least_error / error.norm());
+    for (accuracy = std::min(accuracy, detail::kLoosest);; accuracy *= detail::kTighter) {
+        const bool tightest = accuracy <= detail::kTightest;
+        figures.products +=
+            solver.solve(error_of_orbits, std::max(accuracy, detail::kTightest), direction);
+        const double shortest = tightest ? detail::kShortestStep : detail::kShortForApproximate;
+        const Outcome outcome =
+            search(targets, orbits_.spread(direction), shortest, least_size, figures);
+        if (outcome == Outcome::kAccepted) return true;
+        if (outcome == Outcome::kRounding || tightest) return false;
+    }
+}
+
+/// See SizeFigures::rounding.
+template <class Diagram>
+double SizeNewton<Diagram>::rounding(const Eigen::VectorXd& targets) const {
+    const CellGraph cells = graph();
+    double largest = 0;
+    for (int s = 0; s < cells.n_rows(); ++s) {
+        double sum = 0;
+        for (int k = cells.row_begin[s]; k < cells.row_begin[s + 1]; ++k) {
+            sum += cells.conductance[k];
+        }
+        largest = std::max(largest, sum);
+    }
+    return Diagram::kSizeRounding * weights().cwiseAbs().maxCoeff() * largest /
+           orbits_.sums(targets).minCoeff();
+}
+
+template <class Diagram>
+SizeFigures SizeNewton<Diagram>::solve(const Eigen::VectorXd& targets, double tolerance,
+                                       const NewtonCallback& callback) {
+    begin(targets.minCoeff());
+    last_step_ = 1;
+    const double least_size = std::min(targets.minCoeff(), sizes().minCoeff()) / 2;
+    SizeFigures figures;
+    for (;;) {
+        figures.largest_relative_error = detail::largest_error(sizes(), targets);
+        figures.converged = figures.largest_relative_error <= tolerance;
+        if (callback) callback(figures);
+        if (figures.converged) return figures;
+        if (figures.newton_steps == detail::kMostSteps) break;
+        if (!step(targets, tolerance, least_size, figures)) break;
+        ++figures.newton_steps;
+    }
+    figures.rounding = rounding(targets);
+    figures.converged = figures.largest_relative_error <= figures.rounding;
+    return figures;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,376 @@
+#include "plugin/job/features.hpp"
+
+#include <algorithm>
+
+#include "plugin/job/job.hpp"
+#include "plugin/job/job_start.hpp"
+
+namespace pcvt {
+namespace {
+
+using F = Feature;
+
+bool shows(const Job& job, ColouringNeed need) {
+    const std::optional<Colouring>& colouring = job.file_options.colouring;
+    return colouring && colouring_row(*colouring).needs == need;
+}
+
+bool has_mesh_kind(const Job& job, plane::MeshKind kind) {
+    return std::find(job.meshes.begin(), job.meshes.end(), kind) != job.meshes.end();
+}
+
+/// Whether walls across an axis meet a property of that axis.
+template <class OfAxis>
+bool across_walls(const Job& job, const OfAxis& of_axis) {
+    return (has_walls_across(job.walls, 0) && of_axis(0)) ||
+           (has_walls_across(job.walls, 1) && of_axis(1));
+}
+
+constexpr std::array kFeatures{
+    FeatureRow{.feature = F::kRetry,
+               .option = "--retry",
+               .is_chosen = [](const Job& job) { return job.retries > 0; }},
+    FeatureRow{.feature = F::kGivenSites,
+               .in_space = true,
+               .is_chosen = [](const Job& job) { return job.points.cols() > 0; }},
+    FeatureRow{.feature = F::kPlaneLattice, .fields = "lattice"},
+    FeatureRow{.feature = F::kObliqueLattice,
+               .is_chosen = [](const Job& job) { return !is_upright(job.lattice); }},
+    FeatureRow{
+        .feature = F::kSpaceLattice, .fields = "lattice3", .in_plane = false, .in_space = true},
+    FeatureRow{.feature = F::kSymmetry,
+               .option = "--symmetry",
+               .fields = "symmetry",
+               .is_chosen = [](const Job& job) { return job.symmetry.has_value(); }},
+    FeatureRow{.feature = F::kOrigin, .option = "--origin", .fields = "origin find_origin"},
+    FeatureRow{.feature = F::kOriginOffWalls,
+               .is_chosen =
+                   [](const Job& job) {
+                       return job.tile.finds_origin || across_walls(job, [&](int axis) {
+                                  return job.tile.origin[axis] != 0;
+                              });
+                   }},
+    FeatureRow{.feature = F::kDensity,
+               .option = "--density",
+               .fields = "density_source density density_data",
+               .is_chosen = [](const Job& job) { return job.density.has_value(); }},
+    FeatureRow{.feature = F::kDensityRange, .option = "--density-range", .fields = "density_range"},
+    FeatureRow{.feature = F::kAreas,
+               .option = "--areas",
+               .fields = "areas n_areas area_law",
+               .is_chosen = [](const Job& job) { return job.areas.has_value(); }},
+    FeatureRow{.feature = F::kAspect,
+               .option = "--aspect",
+               .fields = "aspect aspect_degrees",
+               .is_chosen = [](const Job& job) { return job.aspect.has_value(); }},
+    FeatureRow{.feature = F::kHasWalls,
+               .option = "--walls",
+               .fields = "walls",
+               .is_chosen = [](const Job& job) { return job.walls != Walls::kNone; }},
+    FeatureRow{.feature = F::kHalfCells,
+               .option = "--wall-cells",
+               .fields = "wall_cells",
+               .is_chosen = [](const Job& job) { return job.wall_cells == WallCells::kHalf; }},
+    FeatureRow{.feature = F::kFixed,
+               .option = "--fixed",
+               .fields = "fixed_sites n_fixed_sites",
+               .is_chosen = [](const Job& job) { return job.fixed.cols() > 0; }},
+    FeatureRow{.feature = F::kInclusions,
+               .option = "--inclusions",
+               .fields = "inclusions",
+               .is_chosen = [](const Job& job) { return job.inclusions.has_value(); }},
+    FeatureRow{.feature = F::kFibres,
+               .option = "--fibres",
+               .fields = "fibres",
+               .is_chosen = [](const Job& job) { return job.fibres.has_value(); }},
+    FeatureRow{.feature = F::kHoles,
+               .option = "--hole",
+               .fields = "holes",
+               .is_chosen = [](const Job& job) { return !job.holes.empty(); }},
+    FeatureRow{
+        .feature = F::kStartNotRandom,
+        .in_space = true,
+        .is_chosen = [](const Job& job) { return job.start && *job.start != Start::kRandom; }},
+    FeatureRow{.feature = F::kStartAtLattice,
+               .in_space = true,
+               .is_chosen = [](const Job& job) { return job.start == Start::kLattice; }},
+    FeatureRow{
+        .feature = F::kStartWithEqualCells,
+        .in_space = true,
+        .is_chosen = [](const Job& job) { return job.start && !start_row(*job.start).with_sizes; }},
+    FeatureRow{.feature = F::kBudget, .option = "--budget", .fields = "budget"},
+    FeatureRow{.feature = F::kSolver,
+               .in_space = true,
+               .is_chosen = [](const Job& job) { return job.run.solver != RunOptions().solver; }},
+    FeatureRow{.feature = F::kNoIterations,
+               .in_space = true,
+               .is_chosen = [](const Job& job) { return job.run.max_iterations == 0; }},
+    FeatureRow{.feature = F::kStability,
+               .in_space = true,
+               .is_chosen = [](const Job& job) { return job.stability; }},
+    FeatureRow{.feature = F::kPhases,
+               .option = "--phases",
+               .fields = "phases",
+               .is_chosen = [](const Job& job) { return !job.materials.phases.empty(); },
+               .in_files = "phases",
+               .taken = &TileFormat::takes_phases},
+    FeatureRow{.feature = F::kOrientations,
+               .option = "--orientations",
+               .fields = "orientations n_orientations random_orientations",
+               .is_chosen = [](const Job& job) { return job.materials.has_orientations(); },
+               .in_files = "orientations",
+               .taken = &TileFormat::takes_orientations},
+    FeatureRow{.feature = F::kMaterials,
+               .option = "--material",
+               .fields = "materials",
+               .is_chosen = [](const Job& job) { return !job.file_options.elastic.empty(); },
+               .in_files = "elastic constants",
+               .taken = &TileFormat::takes_constants},
+    FeatureRow{
+        .feature = F::kDelaunay,
+        .in_space = true,
+        .is_chosen = [](const Job& job) { return has_mesh_kind(job, plane::MeshKind::kDelaunay); }},
+    FeatureRow{
+        .feature = F::kOutline,
+        .option = "--outline",
+        .fields = "outline",
+        .is_chosen = [](const Job& job) { return job.tile.outline == plane::Outline::kBox; }},
+    FeatureRow{.feature = F::kGrainSize,
+               .option = "--size",
+               .fields = "grain_size",
+               .is_chosen = [](const Job& job) { return job.tile.grain_size > 0; }},
+    FeatureRow{.feature = F::kGrainPerEdge,
+               .option = "--per-edge",
+               .fields = "grain_per_edge",
+               .is_chosen = [](const Job& job) { return job.tile.grain_per_edge > 0; }},
+    FeatureRow{.feature = F::kOrder, .option = "--order", .fields = "grain_order"},
+    FeatureRow{.feature = F::kRepeat, .option = "--repeat", .fields = "columns rows"},
+    FeatureRow{.feature = F::kRepeatAcrossWalls,
+               .is_chosen =
+                   [](const Job& job) {
+                       return across_walls(job, [&](int axis) {
+                           return (axis == 0 ? job.tile.columns : job.tile.rows) > 1;
+                       });
+                   }},
+    FeatureRow{.feature = F::kTable, .option = "--cells"},
+    FeatureRow{.feature = F::kColour,
+               .option = "--colour",
+               .fields = "colour",
+               .is_chosen = [](const Job& job) { return job.file_options.colouring.has_value(); },
+               .in_files = "a colouring",
+               .taken = &TileFormat::takes_colouring},
+    FeatureRow{.feature = F::kColourByDensity,
+               .is_chosen = [](const Job& job) { return shows(job, ColouringNeed::kDensity); }},
+    FeatureRow{.feature = F::kColourByPhase,
+               .is_chosen = [](const Job& job) { return shows(job, ColouringNeed::kPhases); }},
+    FeatureRow{.feature = F::kColourByOrbit,
+               .is_chosen = [](const Job& job) { return shows(job, ColouringNeed::kOrbits); }},
+    FeatureRow{.feature = F::kColourByTag,
+               .is_chosen = [](const Job& job) { return shows(job, ColouringNeed::kTags); }},
+    FeatureRow{.feature = F::kBackground,
+               .option = "--background",
+               .fields = "background",
+               .is_chosen = [](const Job& job) { return job.file_options.background.has_value(); },
+               .in_files = "a background",
+               .taken = &TileFormat::takes_background},
+    FeatureRow{.feature = F::kGlbNodes,
+               .option = "--glb-nodes",
+               .fields = "gltf_nodes",
+               .is_chosen =
+                   [](const Job& job) { return job.file_options.gltf_nodes != GltfNodes::kBySize; },
+               .in_files = "glTF nodes",
+               .taken = &TileFormat::takes_gltf_nodes},
+    FeatureRow{.feature = F::kSinglePrecision,
+               .option = "--float32",
+               .fields = "single_precision",
+               .is_chosen = [](const Job& job) { return job.file_options.single_precision; },
+               .in_files = "32-bit coordinates",
+               .taken = &TileFormat::takes_single_precision},
+    FeatureRow{.feature = F::kPixels,
+               .option = "--pixels",
+               .fields = "pixels",
+               .is_chosen = [](const Job& job) { return job.file_options.pixels != 0; },
+               .in_files = "a number of pixels",
+               .taken = &TileFormat::takes_pixels},
+    FeatureRow{
+        .feature = F::kVoxels,
+        .option = "--voxels",
+        .fields = "voxels voxel_layers",
+        .is_chosen = [](const Job& job) { return job.file_options.voxels != plane::VoxelCounts{}; },
+        .in_files = "a number of voxels",
+        .taken = &TileFormat::takes_voxels},
+    FeatureRow{.feature = F::kCoriolis,
+               .option = "--coriolis",
+               .fields = "coriolis",
+               .is_chosen = [](const Job& job) { return job.file_options.coriolis.has_value(); },
+               .in_files = "a Coriolis parameter",
+               .taken = &TileFormat::takes_coriolis},
+    FeatureRow{.feature = F::kCut,
+               .option = "--cut",
+               .fields = "cut_width",
+               .is_chosen = [](const Job& job) { return job.file_options.cut_width != 0; },
+               .in_files = "a width to cut",
+               .taken = &TileFormat::takes_cut_width},
+    FeatureRow{.feature = F::kElement,
+               .option = "--element",
+               .fields = "element",
+               .is_chosen =
+                   [](const Job& job) { return job.file_options.element != PlaneElement::kStrain; },
+               .in_files = "a type of elements",
+               .taken = &TileFormat::takes_element},
+    FeatureRow{.feature = F::kSolverJob,
+               .option = "--job",
+               .fields = "job",
+               .is_chosen = [](const Job& job) { return job.file_options.job != SolverJob::kNone; },
+               .in_files = "a job of a solver",
+               .taken = &TileFormat::takes_job},
+    FeatureRow{.feature = F::kThickness,
+               .option = "--thickness",
+               .fields = "thickness",
+               .is_chosen = [](const Job& job) { return job.file_options.thickness != 0; },
+               .in_files = "a thickness",
+               .taken = &TileFormat::takes_thickness},
+    FeatureRow{.feature = F::kSurface, .option = "--surface", .in_plane = false, .in_space = true}};
+
+/// Whether the words of a text, with blanks between them, contain a word.
+bool holds_word(std::string_view words, std::string_view word) {
+    const std::string padded = " " + std::string(words) + " ";
+    return padded.find(" " + std::string(word) + " ") != std::string::npos;
+}
+
+/// A contradiction: a job has a feature of `these` and one of `those`, if there are any, and none
+/// of `unless`.
+struct Contradiction {
+    FeatureSet these;
+    FeatureSet those;
+    FeatureSet unless;
+    const char* message;
+};
+
+constexpr FeatureSet kNone;
+constexpr FeatureSet kWithFixedSites{F::kFixed, F::kInclusions, F::kFibres};
+constexpr FeatureSet kWithInclusions{F::kInclusions, F::kFibres};
+
+constexpr std::array kContradictions{
+    Contradiction{FeatureSet{F::kDensity}, FeatureSet{F::kStartWithEqualCells}, kNone,
+                  "a lattice knows no density; leave the start out, or take coarse or random"},
+    Contradiction{FeatureSet{F::kAreas}, FeatureSet{F::kDensity}, kNone,
+                  "cells have prescribed areas or follow a density; leave one of the two out"},
+    Contradiction{
+        FeatureSet{F::kAreas}, FeatureSet{F::kStartWithEqualCells}, kNone,
+        "the cells of a lattice are all alike; leave the start out, or take coarse or random"},
+    Contradiction{FeatureSet{F::kAreas}, FeatureSet{F::kSolver}, kNone,
+                  "prescribed areas have a solver of their own; leave the solver out"},
+    Contradiction{FeatureSet{F::kAreas}, FeatureSet{F::kStability}, kNone,
+                  "the stability of prescribed areas is not known; leave one out"},
+    Contradiction{FeatureSet{F::kSymmetry}, FeatureSet{F::kGivenSites}, kNone,
+                  "the sites of a symmetry are drawn; leave the sites out, or the symmetry"},
+    Contradiction{FeatureSet{F::kSymmetry}, FeatureSet{F::kStartWithEqualCells}, kNone,
+                  "a lattice knows no plane group; leave the start out, or take coarse or random"},
+    Contradiction{FeatureSet{F::kSymmetry}, FeatureSet{F::kAreas}, kNone,
+                  "cells of prescribed areas have no symmetry; leave one of the two out"},
+    Contradiction{FeatureSet{F::kHalfCells}, kNone, FeatureSet{F::kHasWalls},
+                  "half cells lie on walls, but there are none; give the walls"},
+    Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kObliqueLattice}, kNone,
+                  "walls need a rectangle along x and y; give its period as W,H"},
+    Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kSymmetry}, kNone,
+                  "sites have walls or a symmetry; leave one of the two out"},
+    Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kAspect}, kNone,
+                  "elongated cells need a periodic plane; leave them out, or the walls"},
+    Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kStartWithEqualCells}, kNone,
+                  "a lattice knows no walls; leave the start out, or take coarse or random"},
+    Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kStability}, kNone,
+                  "the stability between walls is not known; leave one out"},
+    Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kRepeatAcrossWalls}, kNone,
+                  "a tile is not repeated across its walls; repeat it along them"},
+    Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kOriginOffWalls}, kNone,
+                  "walls lie at 0 and at the period; give an origin along the walls only, or none"},
+    Contradiction{FeatureSet{F::kHalfCells}, FeatureSet{F::kNoIterations}, kNone,
+                  "the sites beside walls move onto them step by step; allow iterations, or take "
+                  "whole cells"},
+    Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kDelaunay}, FeatureSet{F::kHalfCells},
+                  "Delaunay triangles cross the walls unless sites lie on them; take half cells at "
+                  "the walls, or the mesh grains"},
+    Contradiction{FeatureSet{F::kHoles}, kNone, kWithInclusions,
+                  "holes are inclusions that are left out; give inclusions or fibres"},
+    Contradiction{kWithFixedSites, FeatureSet{F::kGivenSites}, kNone,
+                  "sites beside fixed ones and inclusions are drawn; give a number of sites "
+                  "instead of their positions"},
+    Contradiction{kWithFixedSites, FeatureSet{F::kSymmetry}, kNone,
+                  "fixed sites and inclusions have no symmetry; leave one of the two out"},
+    Contradiction{kWithFixedSites, FeatureSet{F::kAreas}, kNone,
+                  "cells of prescribed areas have neither fixed sites nor inclusions; leave the "
+                  "areas out"},
+    Contradiction{kWithFixedSites, FeatureSet{F::kStartNotRandom}, kNone,
+                  "sites beside fixed ones and inclusions start at random; leave the start out"},
+    Contradiction{kWithFixedSites, FeatureSet{F::kStability}, kNone,
+                  "the stability with fixed sites or inclusions is not known; leave one out"},
+    Contradiction{FeatureSet{F::kFixed}, FeatureSet{F::kHasWalls}, kNone,
+                  "fixed sites need a plane that is periodic along both directions; leave the "
+                  "walls out"},
+    Contradiction{FeatureSet{F::kInclusions}, FeatureSet{F::kFibres}, kNone,
+                  "fibres are inclusions in random places; leave one of the two out"},
+    Contradiction{kWithInclusions, FeatureSet{F::kFixed}, kNone,
+                  "inclusions have fixed sites of their own; leave one of the two out"},
+    Contradiction{kWithInclusions, FeatureSet{F::kAspect}, kNone,
+                  "cells beside inclusions are not elongated; leave the aspect out"},
+    Contradiction{kWithInclusions, FeatureSet{F::kPhases}, kNone,
+                  "the tags of inclusions are the phases of their cells; leave the phases out"},
+    Contradiction{kWithInclusions, FeatureSet{F::kOrientations}, kNone,
+                  "--orientations gives each cell a crystal of its own, but inclusions and the "
+                  "matrix consist of many cells each; leave the orientations out"},
+    Contradiction{FeatureSet{F::kStability}, FeatureSet{F::kDensity}, kNone,
+                  "the stability of a run with a density is not known; leave one out"},
+    Contradiction{FeatureSet{F::kOutline}, FeatureSet{F::kDelaunay}, kNone,
+                  "the box outline would cut Delaunay triangles, and cut ones are none; take the "
+                  "mesh grains with the box outline, or the whole outline"},
+    Contradiction{FeatureSet{F::kGrainSize}, FeatureSet{F::kGrainPerEdge}, kNone,
+                  "grains have a size and parts of an edge; take one of the two"},
+    Contradiction{FeatureSet{F::kRetry}, FeatureSet{F::kGivenSites, F::kStartAtLattice}, kNone,
+                  "--retry takes other seeds, but these sites have none; leave it out"},
+    Contradiction{FeatureSet{F::kColourByDensity}, kNone, FeatureSet{F::kDensity},
+                  "there is no density to show in colours; give one, or colour by size"},
+    Contradiction{FeatureSet{F::kColourByPhase}, kNone,
+                  FeatureSet{F::kPhases, F::kInclusions, F::kFibres},
+                  "there are no phases to show in colours; give some, or colour by size"},
+    Contradiction{FeatureSet{F::kColourByOrbit}, kNone, FeatureSet{F::kSymmetry},
+                  "there is no symmetry whose orbits colours could show; give one, or colour by "
+                  "cells"},
+    Contradiction{FeatureSet{F::kColourByTag}, kNone, kWithInclusions,
+                  "there are no inclusions whose tags colours could show; give some, or colour by "
+                  "size"}};
+
+FeatureSet chosen_features(const Job& job) {
+    FeatureSet chosen;
+    for (const FeatureRow& row : kFeatures) {
+        if (row.is_chosen != nullptr && row.is_chosen(job)) chosen.add(row.feature);
+    }
+    return chosen;
+}
+
+}  // namespace
+
+std::span<const FeatureRow> features() { return kFeatures; }
+
+const FeatureRow* find_option(std::string_view option) {
+    const auto* row = std::find_if(kFeatures.begin(), kFeatures.end(),
+                                   [&](const FeatureRow& r) { return r.option == option; });
+    return row == kFeatures.end() ? nullptr : row;
+}
+
+const FeatureRow* find_field(std::string_view field) {
+    const auto* row = std::find_if(kFeatures.begin(), kFeatures.end(), [&](const FeatureRow& r) {
+        return holds_word(r.fields, field);
+    });
+    return row == kFeatures.end() ? nullptr : row;
+}
+
+void require_compatible(const Job& job) {
+    const FeatureSet chosen = chosen_features(job);
+    for (const auto& [these, those, unless, message] : kContradictions) {
+        const bool meets = chosen.meets(these) && (those.is_empty() || chosen.meets(those));
+        if (meets && !chosen.meets(unless)) throw InvalidInput(message);
+    }
+}
+
+}  // namespace pcvt

@@ -1,0 +1,139 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "io/tile_formats.hpp"
+
+namespace pcvt {
+
+struct Job;
+
+/// The options that some jobs cannot have, in the order of kFeatures: those of one dimension, those
+/// that contradict others, and those that only some formats hold. Some are a value of an option.
+enum class Feature : std::uint8_t {
+    kRetry,
+    kGivenSites,
+    kPlaneLattice,
+    kObliqueLattice,
+    kSpaceLattice,
+    kSymmetry,
+    kOrigin,
+    kOriginOffWalls,
+    kDensity,
+    kDensityRange,
+    kAreas,
+    kAspect,
+    kHasWalls,
+    kHalfCells,
+    kFixed,
+    kInclusions,
+    kFibres,
+    kHoles,
+    kStartNotRandom,
+    kStartAtLattice,
+    kStartWithEqualCells,
+    kBudget,
+    kSolver,
+    kNoIterations,
+    kStability,
+    kPhases,
+    kOrientations,
+    kMaterials,
+    kDelaunay,
+    kOutline,
+    kGrainSize,
+    kGrainPerEdge,
+    kOrder,
+    kRepeat,
+    kRepeatAcrossWalls,
+    kTable,
+    kColour,
+    kColourByDensity,
+    kColourByPhase,
+    kColourByOrbit,
+    kColourByTag,
+    kBackground,
+    kGlbNodes,
+    kSinglePrecision,
+    kPixels,
+    kVoxels,
+    kCoriolis,
+    kCut,
+    kElement,
+    kSolverJob,
+    kThickness,
+    kSurface,
+};
+
+/// A set of features.
+class FeatureSet {
+   public:
+    constexpr FeatureSet() = default;
+    template <class... Features>
+    constexpr explicit FeatureSet(Features... features) : bits_((0 | ... | bit(features))) {}
+
+    constexpr void add(Feature feature) { bits_ |= bit(feature); }
+    constexpr bool is_empty() const { return bits_ == 0; }
+    constexpr bool meets(FeatureSet other) const { return (bits_ & other.bits_) != 0; }
+
+   private:
+    static constexpr std::uint64_t bit(Feature feature) {
+        return std::uint64_t{1} << static_cast<unsigned>(feature);
+    }
+    std::uint64_t bits_ = 0;
+};
+
+/// A feature as the command, pcvt.h, checks of jobs and messages about files know it.
+///
+/// Example usage:
+///   const FeatureRow* row = find_option("--walls");
+///   if (!row->in_space) refuse(row->option);
+struct FeatureRow {
+    Feature feature;
+    /// "--walls"; empty for a value of an option, and for what no option states.
+    std::string_view option = {};
+    /// The fields of pcvt.h, with blanks between them.
+    std::string_view fields = {};
+    bool in_plane = true;
+    bool in_space = false;
+    /// Whether a job in the plane has it; null where nothing depends on that.
+    bool (*is_chosen)(const Job& job) = nullptr;
+    /// As messages about files name it, and the formats that hold it; null for no part of files.
+    const char* in_files = nullptr;
+    bool TileFormat::*taken = nullptr;
+};
+
+/// In the order of the enumerators.
+std::span<const FeatureRow> features();
+
+/// The row of an option of the command, nullptr for one that every job can have.
+const FeatureRow* find_option(std::string_view option);
+/// The row of a field of pcvt.h, nullptr for one that every job can have.
+const FeatureRow* find_field(std::string_view field);
+
+/// The rows of a table of choices (mesher/base/choices.hpp) that jobs in space can have.
+template <class Table>
+auto rows_in_space(const Table& table) {
+    std::vector<std::decay_t<decltype(*std::begin(table))>> rows;
+    for (const auto& row : table) {
+        if (row.in_space) rows.push_back(row);
+    }
+    return rows;
+}
+
+/// Requires that no two features of a job contradict each other, and that it has those on which
+/// others depend.
+///
+/// Example usage:
+///   require_compatible(job);
+///
+/// @throws InvalidInput with the remedy.
+void require_compatible(const Job& job);
+
+}  // namespace pcvt
