@@ -5,6 +5,8 @@
 #include <new>
 
 #include "io/file_proof.hpp"
+#include "io/gltf/glb_mesh_fields.hpp"
+#include "io/gltf/glb_mesh_reader.hpp"
 #include "io/graphics/seam_json.hpp"
 #include "io/run_files/area_reader.hpp"
 #include "io/run_files/density_expression.hpp"
@@ -13,8 +15,6 @@
 #include "io/run_files/orientation_reader.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "io/run_files/site_writer.hpp"
-#include "io/gltf/glb_mesh_fields.hpp"
-#include "io/gltf/glb_mesh_reader.hpp"
 #include "io/tile_formats.hpp"
 #include "io/voxels/vti_writer.hpp"
 #include "mesher/base/error.hpp"
