@@ -2,8 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "io/bytes/extension.hpp"
+#include "io/forms/space_surface.hpp"
+#include "io/gltf/glb_mesh_reader.hpp"
+#include "io/gltf/glb_mesh_writer.hpp"
+#include "io/graphics/obj_reader.hpp"
+#include "io/graphics/obj_writer.hpp"
+#include "io/graphics/om_reader.hpp"
+#include "io/graphics/om_writer.hpp"
+#include "io/graphics/ply_reader.hpp"
+#include "io/graphics/ply_writer.hpp"
 #include "io/openfoam/foam_text.hpp"
 #include "io/pictures/space_picture.hpp"
 #include "io/space/space_foam_reader.hpp"
@@ -14,14 +24,6 @@
 #include "io/space/space_vtu_writer.hpp"
 #include "io/space/tetrahedra_vtu_reader.hpp"
 #include "io/space/tetrahedra_vtu_writer.hpp"
-#include "io/surfaces/surface_glb_reader.hpp"
-#include "io/surfaces/surface_glb_writer.hpp"
-#include "io/surfaces/surface_obj_reader.hpp"
-#include "io/surfaces/surface_obj_writer.hpp"
-#include "io/surfaces/surface_om_reader.hpp"
-#include "io/surfaces/surface_om_writer.hpp"
-#include "io/surfaces/surface_ply_reader.hpp"
-#include "io/surfaces/surface_ply_writer.hpp"
 
 namespace pcvt {
 namespace {
@@ -35,15 +37,16 @@ std::vector<EncodedFile> encode_volumes(const SpaceTile& tile, const SpaceFileOp
     return kEncode(tile, path);
 }
 
-template <auto kEncode>
+template <auto kEncode, SeamForm kSeam>
 std::vector<EncodedFile> encode_surfaces(const SpaceTile& tile, const SpaceFileOptions& options,
                                          const std::string& path) {
-    return kEncode(surface_list(tile, options.surfaces), path);
+    SurfaceList list = surface_list(tile.mesh, tile.sites, options.surfaces);
+    return kEncode(surface_mesh(std::move(list), kSeam), path);
 }
 
-std::vector<EncodedFile> encode_om_boundary(const SpaceTile& tile, const SpaceFileOptions&,
-                                            const std::string& path) {
-    return encode_surface_om(tile_surface(tile.mesh, tile.sites), path);
+std::vector<EncodedFile> encode_boundary(const SpaceTile& tile, const SpaceFileOptions&,
+                                         const std::string& path) {
+    return encode_om_boundary(tile_surface(tile.mesh, tile.sites), path);
 }
 
 using Kind = std::optional<SpaceFileKind>;
@@ -57,23 +60,16 @@ Kind kind_where(const std::vector<EncodedFile>& files) {
     return kHolds(files.front()) ? Kind(kKind) : std::nullopt;
 }
 
-SpaceFileKind kind_of(const SurfaceList& list) {
-    return list.form == SurfaceForm::kCells ? SpaceFileKind::kPolyhedra : SpaceFileKind::kBoundary;
-}
-
 Kind vtu_kind(const std::vector<EncodedFile>& files) {
     if (holds_polyhedra(files.front())) return SpaceFileKind::kPolyhedra;
     return holds_vtu_tetrahedra(files.front()) ? Kind(SpaceFileKind::kTetrahedra) : std::nullopt;
 }
 
-Kind obj_kind(const std::vector<EncodedFile>& files) {
-    if (!is_surface_obj(files.front())) return std::nullopt;
-    return kind_of(decode_surface_obj(files.front()));
-}
-
-Kind ply_kind(const std::vector<EncodedFile>& files) {
-    if (!is_surface_ply(files.front())) return std::nullopt;
-    return kind_of(decode_surface_ply(files.front()));
+template <auto kDecode>
+Kind surfaces_kind(const std::vector<EncodedFile>& files) {
+    if (!states_surfaces(files.front().bytes)) return std::nullopt;
+    const bool are_cells = kDecode(files.front()).form == SurfaceForm::kCells;
+    return are_cells ? SpaceFileKind::kPolyhedra : SpaceFileKind::kBoundary;
 }
 
 constexpr std::array kSpaceFormats{
@@ -112,35 +108,35 @@ constexpr std::array kSpaceFormats{
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kChosen,
                 .memory = 7000,
-                .paths = surface_obj_paths,
-                .encode = encode_surfaces<encode_surface_obj>,
+                .paths = obj_mesh_paths,
+                .encode = encode_surfaces<encode_obj_mesh, SeamForm::kLines>,
                 .encode_tetrahedra = nullptr,
-                .kind = obj_kind},
+                .kind = surfaces_kind<decode_obj_surfaces>},
     SpaceFormat{.extension = ".ply",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kChosen,
                 .memory = 8500,
                 .paths = itself,
-                .encode = encode_surfaces<encode_surface_ply>,
+                .encode = encode_surfaces<encode_ply_mesh, SeamForm::kColumns>,
                 .encode_tetrahedra = nullptr,
-                .kind = ply_kind},
+                .kind = surfaces_kind<decode_ply_surfaces>},
     SpaceFormat{.extension = ".glb",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kChosen,
                 .memory = 15200,
                 .paths = itself,
-                .encode = encode_surfaces<encode_surface_glb>,
+                .encode = encode_surfaces<encode_glb_mesh, SeamForm::kNone>,
                 .encode_tetrahedra = nullptr,
-                .kind = kind_where<SpaceFileKind::kTriangles, is_surface_glb>,
+                .kind = kind_where<SpaceFileKind::kTriangles, holds_glb_surfaces>,
                 .is_single_precision = true},
     SpaceFormat{.extension = ".om",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kBoundary,
                 .memory = 7000,
                 .paths = itself,
-                .encode = encode_om_boundary,
+                .encode = encode_boundary,
                 .encode_tetrahedra = nullptr,
-                .kind = kind_where<SpaceFileKind::kBoundary, is_surface_om>},
+                .kind = kind_where<SpaceFileKind::kBoundary, holds_om_boundary>},
     SpaceFormat{.extension = ".svg",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kNone,

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/surfaces/surface_om_reader.hpp"
-#include "io/surfaces/surface_om_writer.hpp"
+#include "io/graphics/om_reader.hpp"
+#include "io/graphics/om_writer.hpp"
 #include "mesher/space/mesh/boundary_surface.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/space_tiles.hpp"
@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 
 EncodedFile encoded_om(const SpaceTile& tile) {
-    return encode_surface_om(tile_surface(tile.mesh, tile.sites), "t.om").front();
+    return encode_om_boundary(tile_surface(tile.mesh, tile.sites), "t.om").front();
 }
 
 bool is_refused(const EncodedFile& file) {
@@ -26,13 +26,13 @@ bool is_refused(const EncodedFile& file) {
     return false;
 }
 
-TEST(SurfaceOm, GivesBackTheSurface) {
+TEST(OmBoundary, GivesBackTheSurface) {
     for (const testing::SpaceCase& c : testing::space_cases()) {
         const SpaceTile tile = testing::tile_of(c);
         if (!boundary_is_manifold(tile.mesh)) continue;
         SCOPED_TRACE(c.name);
         const space::TileSurface surface = tile_surface(tile.mesh, tile.sites);
-        const space::TileSurface found = decode_surface_om(encoded_om(tile));
+        const space::TileSurface found = decode_om_boundary(encoded_om(tile));
         EXPECT_EQ(found.points, surface.points);
         EXPECT_EQ(found.faces, surface.faces);
         EXPECT_EQ(found.cell, surface.cell);
@@ -44,7 +44,7 @@ TEST(SurfaceOm, GivesBackTheSurface) {
     }
 }
 
-TEST(SurfaceOm, IsRefusedWithAnyOtherByte) {
+TEST(OmBoundary, IsRefusedWithAnyOtherByte) {
     // Positions may differ in their last bits, which are read as they are.
     const EncodedFile file = encoded_om(testing::random_space_tile(2));
     ASSERT_FALSE(is_refused(file));
@@ -54,23 +54,23 @@ TEST(SurfaceOm, IsRefusedWithAnyOtherByte) {
         mutant.bytes[at] = static_cast<char>(mutant.bytes[at] ^ 0x55);
         n_accepted += is_refused(mutant) ? 0 : 1;
     }
-    const auto n_numbers = static_cast<int>(3 * decode_surface_om(file).points.size() + 3 * 2);
+    const auto n_numbers = static_cast<int>(3 * decode_om_boundary(file).points.size() + 3 * 2);
     EXPECT_LE(n_accepted, n_numbers);
 }
 
-TEST(SurfaceOm, IsRefusedWhenItEndsEarly) {
+TEST(OmBoundary, IsRefusedWhenItEndsEarly) {
     const EncodedFile file = encoded_om(testing::random_space_tile(2));
     for (std::size_t size = 0; size < file.bytes.size(); size += 3) {
         EXPECT_TRUE(is_refused({"t.om", file.bytes.substr(0, size)})) << size;
     }
 }
 
-TEST(SurfaceOm, RefusesDamagedProperties) {
+TEST(OmBoundary, RefusesDamagedProperties) {
     const EncodedFile file = encoded_om(testing::random_space_tile(3));
     for (const char* name : {"pcvt_lattice", "pcvt_face_offset", "pcvt_face_cell", "pcvt_sites"}) {
         EncodedFile damaged = file;
         damaged.bytes = testing::exchanged(damaged.bytes, name, "q" + std::string(name).substr(1));
-        EXPECT_THAT(testing::fault_in([&] { decode_surface_om(damaged); }), HasSubstr(name));
+        EXPECT_THAT(testing::fault_in([&] { decode_om_boundary(damaged); }), HasSubstr(name));
     }
 }
 

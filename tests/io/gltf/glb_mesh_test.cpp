@@ -3,10 +3,11 @@
 
 #include <cstring>
 
+#include "io/forms/space_surface.hpp"
+#include "io/gltf/glb_mesh_fields.hpp"
+#include "io/gltf/glb_mesh_reader.hpp"
+#include "io/gltf/glb_mesh_writer.hpp"
 #include "io/gltf/gltf_writer.hpp"
-#include "io/surfaces/surface_glb_fields.hpp"
-#include "io/surfaces/surface_glb_reader.hpp"
-#include "io/surfaces/surface_glb_writer.hpp"
 #include "mesher/space/mesh/boundary_surface.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/space_tiles.hpp"
@@ -17,12 +18,13 @@ namespace {
 using ::testing::HasSubstr;
 
 EncodedFile encoded_glb(const SpaceTile& tile, SurfaceForm form = SurfaceForm::kCells) {
-    return encode_surface_glb(surface_list(tile, form), "t.glb").front();
+    SurfaceList list = surface_list(tile.mesh, tile.sites, form);
+    return encode_glb_mesh(surface_mesh(std::move(list), SeamForm::kNone), "t.glb").front();
 }
 
-TEST(SurfaceGlb, HasANodeForEachCell) {
+TEST(GlbSurfaces, HasANodeForEachCell) {
     const SpaceTile tile = testing::random_space_tile(6);
-    const SurfaceGlb glb = decode_surface_glb(encoded_glb(tile));
+    const GlbSurfaces glb = decode_glb_surfaces(encoded_glb(tile));
     ASSERT_EQ(glb.parts.size(), 6U);
     for (int s = 0; s < 6; ++s) EXPECT_EQ(glb.parts[s].name, "cell_" + std::to_string(s));
     EXPECT_EQ(glb.sites, tile.sites);
@@ -30,7 +32,7 @@ TEST(SurfaceGlb, HasANodeForEachCell) {
     EXPECT_EQ(glb.form, SurfaceForm::kCells);
 }
 
-TEST(SurfaceGlb, IsProvedFromItsBytes) {
+TEST(GlbSurfaces, IsProvedFromItsBytes) {
     for (const testing::SpaceCase& c : testing::space_cases()) {
         SCOPED_TRACE(c.name);
         const SpaceTile tile = testing::tile_of(c);
@@ -38,23 +40,23 @@ TEST(SurfaceGlb, IsProvedFromItsBytes) {
             const std::vector<EncodedFile> files{encoded_glb(tile, form)};
             EXPECT_EQ(space_file_kind(files), SpaceFileKind::kTriangles);
             prove_own_space_files(files, tile);
-            const SurfaceGlbProof proof = prove_surface_glb(decode_surface_glb(files.front()));
-            compare_surface_glb(files.front(), decode_surface_glb(files.front()));
+            const GlbProof proof = prove_glb_surfaces(decode_glb_surfaces(files.front()));
+            compare_glb_surfaces(files.front(), decode_glb_surfaces(files.front()));
             EXPECT_NEAR(proof.volume, c.lattice.volume(), proof.tolerance);
         }
     }
 }
 
-TEST(SurfaceGlb, OfManyCellsHasOneNode) {
+TEST(GlbSurfaces, OfManyCellsHasOneNode) {
     const space::Lattice cube = space::Lattice::box(1, 1, 1);
     const SpaceTile tile =
         testing::tile_of({"many", cube, uniform_points(cube, kMaxCellNodes + 1, 1)});
     const EncodedFile file = encoded_glb(tile);
-    for (const GlbPart& part : decode_surface_glb(file).parts) EXPECT_EQ(part.name, "cells");
+    for (const GlbPart& part : decode_glb_surfaces(file).parts) EXPECT_EQ(part.name, "cells");
     prove_own_space_files({file}, tile);
 }
 
-TEST(SurfaceGlb, OfAnotherTileIsNoProof) {
+TEST(GlbSurfaces, OfAnotherTileIsNoProof) {
     const EncodedFile file = encoded_glb(testing::random_space_tile(6));
     EXPECT_THROW(prove_own_space_files({file}, testing::random_space_tile(7)), InternalError);
     EncodedFile renamed = file;
@@ -65,28 +67,28 @@ TEST(SurfaceGlb, OfAnotherTileIsNoProof) {
     EXPECT_THROW(prove_own_space_files({renamed}, testing::random_space_tile(6)), InternalError);
 }
 
-TEST(SurfaceGlb, RefutesOtherNormals) {
+TEST(GlbSurfaces, RefutesOtherNormals) {
     const EncodedFile file = encoded_glb(testing::random_space_tile(3));
-    SurfaceGlb glb = decode_surface_glb(file);
+    GlbSurfaces glb = decode_glb_surfaces(file);
     glb.parts[1].normals[4][0] += 1e-3F;
-    EXPECT_THROW(compare_surface_glb(file, glb), BadFile);
+    EXPECT_THROW(compare_glb_surfaces(file, glb), BadFile);
 }
 
-TEST(SurfaceGlb, RefutesOtherSites) {
+TEST(GlbSurfaces, RefutesOtherSites) {
     const SpaceTile tile = testing::random_space_tile(5);
     for (int s = 0; s < 5; ++s) {
         SpaceTile moved = tile;
         moved.sites(s % 3, s) += 1e-4;
         const EncodedFile file = encoded_glb(moved);
-        EXPECT_THROW(compare_surface_glb(file, decode_surface_glb(file)), NotATile) << s;
+        EXPECT_THROW(compare_glb_surfaces(file, decode_glb_surfaces(file)), NotATile) << s;
     }
     SpaceTile exchanged = tile;
     exchanged.sites.col(1).swap(exchanged.sites.col(3));
     const EncodedFile file = encoded_glb(exchanged);
-    EXPECT_THROW(compare_surface_glb(file, decode_surface_glb(file)), NotATile);
+    EXPECT_THROW(compare_glb_surfaces(file, decode_glb_surfaces(file)), NotATile);
 }
 
-TEST(SurfaceGlb, RefutesMovedCorners) {
+TEST(GlbSurfaces, RefutesMovedCorners) {
     const EncodedFile file = encoded_glb(testing::random_space_tile(3));
     std::uint32_t json_length = 0;
     std::memcpy(&json_length, file.bytes.data() + 12, 4);
@@ -98,16 +100,16 @@ TEST(SurfaceGlb, RefutesMovedCorners) {
         std::memcpy(&x, file.bytes.data() + data + 12 * corner, 4);
         x += 0.01F;
         std::memcpy(damaged.bytes.data() + data + 12 * corner, &x, 4);
-        EXPECT_THROW(prove_surface_glb(decode_surface_glb(damaged)), NotATile) << corner;
+        EXPECT_THROW(prove_glb_surfaces(decode_glb_surfaces(damaged)), NotATile) << corner;
     }
 }
 
-TEST(SurfaceGlb, RefusesDamagedDocuments) {
+TEST(GlbSurfaces, RefusesDamagedDocuments) {
     const EncodedFile file = encoded_glb(testing::random_space_tile(3));
     const auto fault = [&](const std::string& piece, const std::string& other) {
         EncodedFile damaged = file;
         damaged.bytes = testing::exchanged(damaged.bytes, piece, other);
-        return testing::fault_in([&] { decode_surface_glb(damaged); });
+        return testing::fault_in([&] { decode_glb_surfaces(damaged); });
     };
     EXPECT_THAT(fault("\"lattice\":[[1,", "\"lattice\":[[0,"), "");
     EXPECT_THAT(fault("\"lattice\":", "\"lottice\":"), HasSubstr("not [a, b, c]"));
@@ -116,7 +118,7 @@ TEST(SurfaceGlb, RefusesDamagedDocuments) {
     EXPECT_THAT(fault("\"children\"", "\"childran\""), HasSubstr("no surface"));
 }
 
-TEST(SurfaceGlb, RefusesCoordinatesBeyondSinglePrecision) {
+TEST(GlbSurfaces, RefusesCoordinatesBeyondSinglePrecision) {
     const space::Lattice huge = space::Lattice::box(1e39, 1e39, 1e39);
     const SpaceTile tile = testing::tile_of({"huge", huge, uniform_points(huge, 4, 1)});
     EXPECT_THROW(encoded_glb(tile), InvalidInput);

@@ -1,4 +1,4 @@
-#include "io/surfaces/surface_glb_reader.hpp"
+#include "io/gltf/glb_mesh_reader.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,7 +9,6 @@
 
 #include "io/gltf/gltf_document.hpp"
 #include "io/gltf/gltf_writer.hpp"
-#include "io/surfaces/surface_parts.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
 
@@ -38,11 +37,11 @@ class GlbParser {
    public:
     explicit GlbParser(const EncodedFile& glb) : document_(glb) {}
 
-    SurfaceGlb parse() {
+    GlbSurfaces parse() {
         const Json& tile = document_.entry("nodes", 0);
         const Json& periodic =
             GltfDocument::member(GltfDocument::member(tile, "extras"), "periodic");
-        SurfaceGlb glb;
+        GlbSurfaces glb;
         if (GltfDocument::member(periodic, "kind") == "boundary") {
             glb.form = SurfaceForm::kBoundary;
         }
@@ -181,7 +180,7 @@ Extent extent_of(const GlbPart& part, const space::Vec3& origin) {
 
 using Triangle = std::array<Corner, 3>;
 
-std::vector<Triangle> sorted_triangles(const SurfaceGlb& glb) {
+std::vector<Triangle> sorted_triangles(const GlbSurfaces& glb) {
     std::vector<Triangle> triangles;
     for (const GlbPart& part : glb.parts) {
         for (std::size_t c = 0; c < part.corners.size(); c += 3) {
@@ -193,14 +192,14 @@ std::vector<Triangle> sorted_triangles(const SurfaceGlb& glb) {
 }
 
 /// The fans of the faces, in single precision.
-std::vector<Triangle> sorted_triangles(const SurfaceList& list) {
+std::vector<Triangle> sorted_triangles(const SurfaceMesh& mesh) {
     const auto corner = [&](int v) {
-        const Eigen::Vector3f p = list.points[v].cast<float>();
+        const Eigen::Vector3f p = mesh.points[v].cast<float>();
         return Corner{p.x(), p.y(), p.z()};
     };
     std::vector<Triangle> triangles;
-    for (int f = 0; f < list.faces.n_faces(); ++f) {
-        const auto face = list.faces[f];
+    for (int f = 0; f < mesh.faces.n_faces(); ++f) {
+        const auto face = mesh.faces[f];
         for (std::size_t k = 2; k < face.size(); ++k) {
             triangles.push_back({corner(face[0]), corner(face[k - 1]), corner(face[k])});
         }
@@ -211,40 +210,39 @@ std::vector<Triangle> sorted_triangles(const SurfaceList& list) {
 
 }  // namespace
 
-bool is_surface_glb(const EncodedFile& file) {
+bool holds_glb_surfaces(const EncodedFile& file) {
     const std::string_view json = json_chunk(file.bytes);
     return json.find(kGlbCellsMark) != std::string_view::npos ||
            json.find(kGlbBoundaryMark) != std::string_view::npos;
 }
 
-SurfaceGlb decode_surface_glb(const EncodedFile& glb) { return GlbParser(glb).parse(); }
+GlbSurfaces decode_glb_surfaces(const EncodedFile& glb) { return GlbParser(glb).parse(); }
 
-void require_same_surfaces(const SurfaceGlb& glb, const SurfaceList& list) {
-    if (sorted_triangles(glb) != sorted_triangles(list)) {
+void require_same_surfaces(const GlbSurfaces& glb, const SurfaceMesh& mesh) {
+    if (sorted_triangles(glb) != sorted_triangles(mesh)) {
         throw NotATile("the triangles are not those of the faces");
     }
-    const SurfaceParts parts = surface_parts(list);
-    if (parts.parts.size() > static_cast<std::size_t>(kMaxCellNodes)) return;
+    if (mesh.groups.size() > static_cast<std::size_t>(kMaxCellNodes)) return;
     const bool same_names = std::equal(
-        glb.parts.begin(), glb.parts.end(), parts.parts.begin(), parts.parts.end(),
-        [](const GlbPart& found, const SurfacePart& part) { return found.name == part.name; });
+        glb.parts.begin(), glb.parts.end(), mesh.groups.begin(), mesh.groups.end(),
+        [](const GlbPart& found, const FaceGroup& group) { return found.name == group.name; });
     if (!same_names) throw NotATile("the nodes are not the parts of the surface");
 }
 
-bool fits_single_precision(const SurfaceList& list) {
+bool fits_single_precision(const SurfaceMesh& mesh) {
     constexpr double kResolved = 4e3;
     double largest = 0;
-    for (const space::Vec3& p : list.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    for (const space::Vec3& p : mesh.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
     double smallest = std::numeric_limits<double>::infinity();
-    for (int f = 0; f < list.faces.n_faces(); ++f) {
+    for (int f = 0; f < mesh.faces.n_faces(); ++f) {
         checkpoint_each(f);
-        const auto face = list.faces[f];
-        const space::Vec3& first = list.points[face.front()];
-        space::Vec3 from = list.points[face.back()];
+        const auto face = mesh.faces[f];
+        const space::Vec3& first = mesh.points[face.front()];
+        space::Vec3 from = mesh.points[face.back()];
         space::Vec3 area = space::Vec3::Zero();
         double perimeter = 0;
         for (const int v : face) {
-            const space::Vec3& to = list.points[v];
+            const space::Vec3& to = mesh.points[v];
             area += (from - first).cross(to - first) / 2;
             perimeter += (to - from).norm();
             smallest = std::min(smallest, (to - from).norm());
@@ -256,9 +254,9 @@ bool fits_single_precision(const SurfaceList& list) {
     return kResolved * double(std::numeric_limits<float>::epsilon()) * largest <= smallest;
 }
 
-SurfaceGlbProof prove_surface_glb(const SurfaceGlb& glb) {
+GlbProof prove_glb_surfaces(const GlbSurfaces& glb) {
     const bool is_boundary = glb.form == SurfaceForm::kBoundary;
-    SurfaceGlbProof proof{.n_parts = static_cast<int>(glb.parts.size())};
+    GlbProof proof{.n_parts = static_cast<int>(glb.parts.size())};
     std::vector<Edge> boundary;
     const space::Vec3 origin = widened(glb.parts.front().corners.front());
     double largest = 0;

@@ -1,4 +1,4 @@
-#include "io/surfaces/surface_glb_fields.hpp"
+#include "io/gltf/glb_mesh_fields.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,11 +8,13 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "io/bytes/bad_file.hpp"
+#include "io/forms/space_surface.hpp"
+#include "io/gltf/glb_mesh_writer.hpp"
 #include "io/gltf/gltf_document.hpp"
 #include "io/gltf/gltf_writer.hpp"
-#include "io/surfaces/surface_glb_writer.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
 #include "mesher/portable/portable_functions.hpp"
@@ -86,27 +88,28 @@ space::Offset offset_in(const std::string& name) {
     return offset;
 }
 
-/// The surfaces as encode_surface_glb() takes them; no faces share points.
-SurfaceList list_of(const SurfaceGlb& glb) {
-    SurfaceList list{.form = glb.form, .lattice = glb.lattice};
-    list.sites = glb.sites;
+/// The surfaces as encode_glb_mesh() takes them; no faces share points.
+SurfaceMesh mesh_of(const GlbSurfaces& glb) {
+    SurfaceList list{.form = glb.form, .surface = {.lattice = glb.lattice}};
+    space::TileSurface& surface = list.surface;
+    surface.sites = glb.sites;
     for (int s = 0; s < static_cast<int>(glb.parts.size()); ++s) {
         for (const Fan& fan : fans_of(glb.parts[s])) {
             for (const space::Vec3& p : fan.points) {
-                list.faces.corners.push_back(static_cast<int>(list.points.size()));
-                list.points.push_back(p);
+                surface.faces.corners.push_back(static_cast<int>(surface.points.size()));
+                surface.points.push_back(p);
             }
-            list.faces.close();
-            list.cell.push_back(s);
+            surface.faces.close();
+            surface.cell.push_back(s);
             if (glb.form == SurfaceForm::kBoundary) {
-                list.offset.push_back(offset_in(glb.parts[s].name));
+                surface.offset.push_back(offset_in(glb.parts[s].name));
             }
         }
     }
-    return list;
+    return surface_mesh(std::move(list), SeamForm::kNone);
 }
 
-double largest_coordinate(const SurfaceGlb& glb) {
+double largest_coordinate(const GlbSurfaces& glb) {
     double largest = 0;
     for (const GlbPart& part : glb.parts) {
         for (const auto& corner : part.corners) {
@@ -141,7 +144,7 @@ space::Vec3 middle_of(const GlbPart& part) {
 }
 
 /// Each side of the seam plus its translation is the other side.
-void compare_seam(const EncodedFile& file, const SurfaceGlb& glb, double largest) {
+void compare_seam(const EncodedFile& file, const GlbSurfaces& glb, double largest) {
     std::map<space::Offset, space::Vec3> middles;
     for (const GlbPart& part : glb.parts) middles[offset_in(part.name)] = middle_of(part);
     for (const auto& [offset, middle] : middles) {
@@ -197,7 +200,7 @@ class SiteImages {
     std::multiset<std::pair<double, space::Vec3>, Before> sorted_;
 };
 
-void compare_sites(const SurfaceGlb& glb, double largest) {
+void compare_sites(const GlbSurfaces& glb, double largest) {
     if (glb.sites.cols() != static_cast<Eigen::Index>(glb.parts.size())) {
         throw_violation(kSiteLaw, "there are " + std::to_string(glb.sites.cols()) + " sites of " +
                                       std::to_string(glb.parts.size()) + " cells");
@@ -226,20 +229,20 @@ void compare_sites(const SurfaceGlb& glb, double largest) {
 
 }  // namespace
 
-void compare_surface_glb(const EncodedFile& file, const SurfaceGlb& glb) {
+void compare_glb_surfaces(const EncodedFile& file, const GlbSurfaces& glb) {
     const GltfDocument document(file);
     const bool is_own =
         GltfDocument::member(GltfDocument::member(document.root(), "asset"), "generator") == "pcvt";
     const bool is_one_node =
         glb.parts.front().name == "cells" || glb.parts.front().name == "boundary";
     if (!is_own || is_one_node || glb.parts.size() > std::size_t{kMaxCellNodes}) return;
-    const EncodedFile own = encode_surface_glb(list_of(glb), file.path).front();
+    const EncodedFile own = encode_glb_mesh(mesh_of(glb), file.path).front();
     if (!document.root().same(GltfDocument(own).root())) {
         throw BadFile(file.path +
                       ": another description follows from its triangles; write the file again "
                       "with pcvt");
     }
-    const SurfaceGlb expected = decode_surface_glb(own);
+    const GlbSurfaces expected = decode_glb_surfaces(own);
     const double largest = largest_coordinate(glb);
     for (std::size_t k = 0; k < glb.parts.size(); ++k) {
         if (glb.parts[k].vertices != expected.parts[k].vertices) {

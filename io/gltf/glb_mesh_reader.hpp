@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "io/surfaces/surface_list.hpp"
+#include "io/forms/surface_list.hpp"
+#include "io/forms/surface_mesh.hpp"
 #include "io/tiles/encoded_file.hpp"
 
 namespace pcvt {
@@ -17,8 +18,8 @@ struct GlbPart {
     std::vector<std::array<float, 3>> normals = {};
 };
 
-/// The surfaces of a file of encode_surface_glb().
-struct SurfaceGlb {
+/// The surfaces of a file of encode_glb_mesh().
+struct GlbSurfaces {
     SurfaceForm form = SurfaceForm::kCells;
     space::Lattice lattice = space::Lattice::box(1, 1, 1);
     space::Points sites = space::Points(3, 0);
@@ -26,23 +27,23 @@ struct SurfaceGlb {
     std::vector<GlbPart> parts = {};
 };
 
-/// Whether a file says that it is a GLB of encode_surface_glb().
-bool is_surface_glb(const EncodedFile& file);
+/// Whether a file says that it is a GLB of encode_glb_mesh().
+bool holds_glb_surfaces(const EncodedFile& file);
 
 /// Reads the triangles, the lattice and the sites.
 /// @throws BadFile naming the file.
-SurfaceGlb decode_surface_glb(const EncodedFile& glb);
+GlbSurfaces decode_glb_surfaces(const EncodedFile& glb);
 
-/// Requires that the triangles are those of the faces of a list, and the nodes its parts.
+/// Requires that the triangles are those of the faces of a mesh, and the nodes its groups.
 /// @throws NotATile if another triangle or name is found.
-void require_same_surfaces(const SurfaceGlb& glb, const SurfaceList& list);
+void require_same_surfaces(const GlbSurfaces& glb, const SurfaceMesh& mesh);
 
 /// Whether single precision resolves the smallest feature of the surfaces of cells, so that the
 /// proofs hold there.
-bool fits_single_precision(const SurfaceList& list);
+bool fits_single_precision(const SurfaceMesh& mesh);
 
 /// Figures that the proof of the triangles finds.
-struct SurfaceGlbProof {
+struct GlbProof {
     int n_parts = 0;
     int n_triangles = 0;
     double volume = 0;
@@ -55,9 +56,9 @@ struct SurfaceGlbProof {
 /// the domain within the rounding of single precision.
 ///
 /// Example usage:
-///     std::cout << prove_surface_glb(decode_surface_glb(file)).volume;
+///     std::cout << prove_glb_surfaces(decode_glb_surfaces(file)).volume;
 ///
 /// @throws NotATile with the part that breaks a law.
-SurfaceGlbProof prove_surface_glb(const SurfaceGlb& glb);
+GlbProof prove_glb_surfaces(const GlbSurfaces& glb);
 
 }  // namespace pcvt
