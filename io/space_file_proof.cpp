@@ -4,10 +4,10 @@
 #include "io/bytes/extension.hpp"
 #include "io/bytes/output_error.hpp"
 #include "io/run_files/site_reader.hpp"
+#include "io/solvers/vtu_volumes.hpp"
+#include "io/solvers/vtu_writer.hpp"
 #include "io/space/space_foam_reader.hpp"
 #include "io/space/space_foam_writer.hpp"
-#include "io/space/space_vtu_reader.hpp"
-#include "io/space/space_vtu_writer.hpp"
 #include "io/surfaces/surface_glb_fields.hpp"
 #include "io/surfaces/surface_glb_reader.hpp"
 #include "io/surfaces/surface_obj_reader.hpp"
@@ -66,12 +66,12 @@ bool is_vtu(const EncodedFile& file) { return lower_case_extension(file.path) ==
 
 /// Whether a file is a VTU that pcvt wrote, whose tags and words follow from its tile.
 bool is_own_vtu(const EncodedFile& file) {
-    return is_vtu(file) && file.bytes.find(kSpaceVtuMark) != std::string::npos;
+    return is_vtu(file) && file.bytes.find(kPolyhedraVtuMark) != std::string::npos;
 }
 
 SpaceTile decode(const std::vector<EncodedFile>& files, double tolerance) {
     if (is_space_case(files)) return decode_space_foam(files, tolerance);
-    if (is_vtu(files.front())) return decode_space_vtu(files.front(), tolerance);
+    if (is_vtu(files.front())) return decode_vtu_polyhedra(files.front(), tolerance);
     return std::get<SpaceTile>(decode_surfaces(files.front()));
 }
 
@@ -116,7 +116,7 @@ SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double t
         require_same_bytes(files, encode_again(list, files.front().path));
     }
     if (is_own_vtu(files.front())) {
-        require_same_bytes(files, encode_space_vtu(tile, files.front().path));
+        require_same_bytes(files, encode_vtu(vtu_grid(tile), files.front().path));
     }
     return result;
 }

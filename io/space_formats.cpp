@@ -6,14 +6,12 @@
 #include "io/bytes/extension.hpp"
 #include "io/openfoam/foam_text.hpp"
 #include "io/pictures/space_picture.hpp"
+#include "io/solvers/space_msh_reader.hpp"
+#include "io/solvers/space_msh_writer.hpp"
+#include "io/solvers/vtu_volumes.hpp"
+#include "io/solvers/vtu_writer.hpp"
 #include "io/space/space_foam_reader.hpp"
 #include "io/space/space_foam_writer.hpp"
-#include "io/space/space_msh_reader.hpp"
-#include "io/space/space_msh_writer.hpp"
-#include "io/space/space_vtu_reader.hpp"
-#include "io/space/space_vtu_writer.hpp"
-#include "io/space/tetrahedra_vtu_reader.hpp"
-#include "io/space/tetrahedra_vtu_writer.hpp"
 #include "io/surfaces/surface_glb_reader.hpp"
 #include "io/surfaces/surface_glb_writer.hpp"
 #include "io/surfaces/surface_obj_reader.hpp"
@@ -33,6 +31,11 @@ template <auto kEncode>
 std::vector<EncodedFile> encode_volumes(const SpaceTile& tile, const SpaceFileOptions&,
                                         const std::string& path) {
     return kEncode(tile, path);
+}
+
+template <class Mesh>
+std::vector<EncodedFile> encode_grid(const Mesh& mesh, const std::string& path) {
+    return encode_vtu(vtu_grid(mesh), path);
 }
 
 template <auto kEncode>
@@ -62,7 +65,7 @@ SpaceFileKind kind_of(const SurfaceList& list) {
 }
 
 Kind vtu_kind(const std::vector<EncodedFile>& files) {
-    if (holds_polyhedra(files.front())) return SpaceFileKind::kPolyhedra;
+    if (holds_vtu_polyhedra(files.front())) return SpaceFileKind::kPolyhedra;
     return holds_vtu_tetrahedra(files.front()) ? Kind(SpaceFileKind::kTetrahedra) : std::nullopt;
 }
 
@@ -82,11 +85,11 @@ constexpr std::array kSpaceFormats{
                 .surfaces = FormatSurfaces::kNone,
                 .memory = 11300,
                 .paths = itself,
-                .encode = encode_volumes<encode_space_vtu>,
-                .encode_tetrahedra = encode_tetrahedra_vtu,
+                .encode = encode_volumes<encode_grid<SpaceTile>>,
+                .encode_tetrahedra = encode_grid<space::TetrahedralMesh>,
                 .kind = vtu_kind,
-                .decode_tetrahedra = decode_tetrahedra_vtu,
-                .compare_tetrahedra = compare_tetrahedra_vtu,
+                .decode_tetrahedra = decode_vtu_tetrahedra,
+                .compare_tetrahedra = compare_vtu_tetrahedra,
                 .states_short_edges = true},
     SpaceFormat{.extension = ".foam",
                 .is_folder = true,

@@ -157,8 +157,9 @@ std::vector<EncodedFile> write_msh(const plane::Tile& tile, const FileOptions& o
 
 std::vector<EncodedFile> write_vtu(const plane::Tile& tile, const FileOptions& options,
                                    const std::string& path) {
-    return encode_vtu(tile, path, options.site_orbits,
-                      options.materials == nullptr ? CellMaterials{} : *options.materials);
+    const CellMaterials none;
+    const CellMaterials& materials = options.materials == nullptr ? none : *options.materials;
+    return encode_vtu(vtu_grid(tile, options.site_orbits, materials), path);
 }
 
 std::vector<EncodedFile> write_foam(const plane::Tile& tile, const FileOptions& options,

@@ -5,8 +5,8 @@
 #include <map>
 #include <numeric>
 
-#include "io/elements/seam_segments.hpp"
-#include "io/elements/triangle_cells.hpp"
+#include "io/forms/seam_segments.hpp"
+#include "io/forms/triangle_cells.hpp"
 #include "mesher/base/bucket_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
 

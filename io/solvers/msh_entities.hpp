@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/elements/solver_nodes.hpp"
+#include "io/forms/solver_nodes.hpp"
 
 namespace pcvt {
 

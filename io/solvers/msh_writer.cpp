@@ -5,8 +5,8 @@
 #include <map>
 
 #include "io/bytes/msh_text.hpp"
-#include "io/elements/solver_nodes.hpp"
-#include "io/elements/triangle_elements.hpp"
+#include "io/forms/solver_nodes.hpp"
+#include "io/forms/triangle_elements.hpp"
 #include "io/solvers/msh_groups.hpp"
 #include "io/solvers/msh_model.hpp"
 #include "io/tiles/finite.hpp"

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "io/bytes/text.hpp"
-#include "io/elements/triangle_elements.hpp"
 #include "io/file_proof.hpp"
+#include "io/forms/triangle_elements.hpp"
 #include "io/solvers/inp_reader.hpp"
 #include "io/solvers/inp_sections.hpp"
 #include "io/solvers/inp_writer.hpp"

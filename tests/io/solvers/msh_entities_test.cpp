@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "io/elements/triangle_cells.hpp"
+#include "io/forms/triangle_cells.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/solver_tiles.hpp"

@@ -99,7 +99,7 @@ TEST(FileMidsideNodes, EveryFormatRefusesAMovedOne) {
         exchanged(encode_inp(tile, {}, "")[0].bytes, ",0.5,0.5,0\n", ",0.5,0.51,0\n");
     EXPECT_THROW(decode_inp({{"t.inp", inp}}, {}), BadFile);
     const std::string vtu =
-        exchanged(encode_vtu(tile, "")[0].bytes, "\n0.5 0.5 0\n", "\n0.5 0.51 0\n");
+        exchanged(encode_vtu(vtu_grid(tile), "")[0].bytes, "\n0.5 0.5 0\n", "\n0.5 0.51 0\n");
     EXPECT_THROW(decode_vtu({{"t.vtu", vtu}}, {}), BadFile);
 }
 

@@ -1,11 +1,11 @@
-#include "io/elements/triangle_cells.hpp"
+#include "io/forms/triangle_cells.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <numeric>
 
-#include "io/elements/triangle_elements.hpp"
+#include "io/forms/triangle_elements.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {

@@ -1,4 +1,4 @@
-#include "io/elements/seam_segments.hpp"
+#include "io/forms/seam_segments.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "io/elements/solver_nodes.hpp"
+#include "io/forms/solver_nodes.hpp"
 
 namespace pcvt {
 

@@ -1,11 +1,11 @@
-#include "io/space/space_msh_writer.hpp"
+#include "io/solvers/space_msh_writer.hpp"
 
 #include <limits>
 #include <map>
 #include <utility>
 
 #include "io/bytes/msh_text.hpp"
-#include "io/space/seam_entities.hpp"
+#include "io/forms/seam_entities.hpp"
 #include "mesher/cells/set_names.hpp"
 #include "mesher/space/mesh/polyhedral_mesh.hpp"
 

@@ -1,4 +1,4 @@
-#include "io/elements/fixed_width_numbers.hpp"
+#include "io/solvers/fixed_width_numbers.hpp"
 
 #include <array>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "io/space/space_msh_reader.hpp"
+#include "io/solvers/space_msh_reader.hpp"
 
 #include <cmath>
 #include <limits>
@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "io/bytes/msh_text.hpp"
+#include "io/forms/point_offsets.hpp"
 #include "io/solvers/msh_fields.hpp"
 #include "io/solvers/msh_rows.hpp"
-#include "io/space/point_offsets.hpp"
-#include "io/space/space_msh_writer.hpp"
+#include "io/solvers/space_msh_writer.hpp"
 
 namespace pcvt {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "io/elements/solver_nodes.hpp"
+#include "io/forms/solver_nodes.hpp"
 
 namespace pcvt {
 

@@ -1,4 +1,4 @@
-#include "io/space/point_offsets.hpp"
+#include "io/forms/point_offsets.hpp"
 
 #include "io/bytes/bad_file.hpp"
 

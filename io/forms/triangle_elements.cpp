@@ -1,4 +1,4 @@
-#include "io/elements/triangle_elements.hpp"
+#include "io/forms/triangle_elements.hpp"
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"

@@ -4,9 +4,9 @@
 #include <set>
 
 #include "io/bytes/text.hpp"
-#include "io/space/seam_entities.hpp"
-#include "io/space/space_msh_reader.hpp"
-#include "io/space/space_msh_writer.hpp"
+#include "io/forms/seam_entities.hpp"
+#include "io/solvers/space_msh_reader.hpp"
+#include "io/solvers/space_msh_writer.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/msh_links.hpp"

@@ -1,4 +1,4 @@
-#include "io/space/seam_entities.hpp"
+#include "io/forms/seam_entities.hpp"
 
 #include <algorithm>
 #include <map>
