@@ -17,7 +17,7 @@ constexpr int kCurves = 1;
 constexpr int kSurfaces = 2;
 constexpr int kVolumes = 3;
 /// Gmsh's element types.
-constexpr int kTriangle = 2;
+constexpr int kSeamTriangle = 2;
 /// The tag of the volume.
 constexpr int kDomain = 1;
 
@@ -169,7 +169,7 @@ class MshText {
         int last = 0;
         append_elements_of(kVolumes, kDomain, kMshTetrahedron, mesh_.tetrahedra, last);
         for (int k = 0; k < count(entities_.surfaces); ++k) {
-            append_elements_of(kSurfaces, k + 1, kTriangle, entities_.surfaces[k].triangles, last);
+            append_elements_of(kSurfaces, k + 1, kSeamTriangle, entities_.surfaces[k].triangles, last);
         }
         text_ += "$EndElements\n";
     }
