@@ -6,8 +6,8 @@
 #include "io/bytes/extension.hpp"
 #include "io/openfoam/foam_text.hpp"
 #include "io/pictures/space_picture.hpp"
-#include "io/solvers/space_msh_reader.hpp"
-#include "io/solvers/space_msh_writer.hpp"
+#include "io/solvers/msh_tetrahedra.hpp"
+#include "io/solvers/msh_writer.hpp"
 #include "io/solvers/vtu_volumes.hpp"
 #include "io/solvers/vtu_writer.hpp"
 #include "io/space/space_foam_reader.hpp"
@@ -36,6 +36,11 @@ std::vector<EncodedFile> encode_volumes(const SpaceTile& tile, const SpaceFileOp
 template <class Mesh>
 std::vector<EncodedFile> encode_grid(const Mesh& mesh, const std::string& path) {
     return encode_vtu(vtu_grid(mesh), path);
+}
+
+std::vector<EncodedFile> encode_entities(const space::TetrahedralMesh& mesh,
+                                         const std::string& path) {
+    return encode_msh(entity_mesh(mesh), path);
 }
 
 template <auto kEncode>
@@ -107,10 +112,10 @@ constexpr std::array kSpaceFormats{
                 .memory = 7900,
                 .paths = itself,
                 .encode = nullptr,
-                .encode_tetrahedra = encode_space_msh,
-                .kind = kind_where<SpaceFileKind::kTetrahedra, holds_tetrahedra>,
-                .decode_tetrahedra = decode_space_msh,
-                .compare_tetrahedra = compare_space_msh},
+                .encode_tetrahedra = encode_entities,
+                .kind = kind_where<SpaceFileKind::kTetrahedra, holds_msh_tetrahedra>,
+                .decode_tetrahedra = decode_msh_tetrahedra,
+                .compare_tetrahedra = compare_msh_tetrahedra},
     SpaceFormat{.extension = ".obj",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kChosen,

@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "io/forms/point_offsets.hpp"
-#include "io/forms/solver_nodes.hpp"
 #include "io/forms/triangle_elements.hpp"
+#include "io/tiles/finite.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
@@ -40,8 +40,8 @@ ElementMesh nodes_in_space(const space::Lattice& lattice, const std::vector<spac
 
 }  // namespace
 
-ElementMesh element_mesh(const plane::Tile& tile) {
-    const SolverNodes nodes = solver_nodes(tile);
+ElementMesh element_mesh(const plane::Tile& tile, const SolverNodes& nodes) {
+    require_finite(tile);
     const plane::Vec2& a = tile.lattice.a();
     const plane::Vec2& b = tile.lattice.b();
     ElementMesh mesh{.dimension = 2, .periods = {a.x(), a.y(), b.x(), b.y()}};

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/forms/element_types.hpp"
+#include "io/forms/solver_nodes.hpp"
 #include "mesher/base/faces.hpp"
 #include "mesher/plane/tile/tile.hpp"
 #include "mesher/space/mesh/polyhedral_assembly.hpp"
@@ -24,7 +25,7 @@ struct ElementList {
 /// A tile of elements on nodes, in the plane or in space, as formats of solvers count them.
 ///
 /// Example usage:
-///     const ElementMesh mesh = element_mesh(tile);
+///     const ElementMesh mesh = element_mesh(tile, solver_nodes(tile));
 ///     for (int e = 0; e < mesh.elements.size(); ++e) write(mesh.elements.nodes[e]);
 struct ElementMesh {
     /// 2 in the plane, 3 in space: the number of periods, of their coordinates, and of the numbers
@@ -51,7 +52,9 @@ struct ElementMesh {
 /// Polygons or triangles. Triangles of order 2 have six nodes: the vertices of the tile come before
 /// the nodes in the middle of edges. Delaunay triangles have sites of nodes and, as the cell of
 /// each, that of element_cells().
-ElementMesh element_mesh(const plane::Tile& tile);
+/// @param nodes  solver_nodes() of the tile.
+/// @throws InternalError if a coordinate is not finite.
+ElementMesh element_mesh(const plane::Tile& tile, const SolverNodes& nodes);
 
 /// Tetrahedra with the sites of their nodes.
 ElementMesh element_mesh(const space::TetrahedralMesh& mesh);

@@ -3,7 +3,6 @@
 #include <numeric>
 #include <utility>
 
-#include "io/tiles/finite.hpp"
 #include "io/tiles/site_notes.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/space/mesh/cell_faces.hpp"
@@ -59,24 +58,24 @@ void add_numbers_of_sites(std::string_view name, std::span<const int> of_site,
 
 }  // namespace
 
-VtuGrid vtu_grid(const plane::Tile& tile, std::span<const int> site_orbits,
-                 const CellMaterials& materials) {
-    require_finite(tile);
-    VtuGrid grid = grid_of(kTileVtuMark, element_mesh(tile));
+VtuGrid vtu_grid(const plane::Tile& tile, const CellMaterials* materials,
+                 std::span<const int> site_orbits) {
+    VtuGrid grid = grid_of(kTileVtuMark, element_mesh(tile, solver_nodes(tile)));
     std::vector<int> ids(grid.points.size());
     std::iota(ids.begin(), ids.end(), 0);
     grid.point_data.insert(grid.point_data.begin(), {"Int64", "GlobalIds", std::move(ids)});
-    if (!materials.site_phase.empty()) {
+    const bool has_phases = materials != nullptr && !materials->site_phase.empty();
+    if (has_phases) {
         grid.field_data.insert(grid.field_data.begin(),
-                               {{"UInt8", "PhaseNames", materials.phase_names},
-                                {"Int32", "SitePhases", materials.site_phase}});
+                               {{"UInt8", "PhaseNames", materials->phase_names},
+                                {"Int32", "SitePhases", materials->site_phase}});
     }
     for (StatedNote& stated : stated_notes(tile, true)) {
         grid.field_data.push_back(note_data(std::move(stated)));
     }
     add_holes(tile, grid.field_data);
     add_numbers_of_sites("Orbit", site_orbits, grid.cell_data);
-    add_numbers_of_sites("Phase", materials.site_phase, grid.cell_data);
+    if (has_phases) add_numbers_of_sites("Phase", materials->site_phase, grid.cell_data);
     return grid;
 }
 

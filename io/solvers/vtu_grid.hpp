@@ -70,11 +70,11 @@ struct VtuGrid {
 };
 
 /// Polygons, or triangles with three or six nodes.
+/// @param materials    of the sites of one period; null: no phases. Orientations are not written.
 /// @param site_orbits  of the sites of one period; empty: none.
-/// @param materials    of the sites of one period; the phases are written.
 /// @throws InternalError if a coordinate is not finite.
-VtuGrid vtu_grid(const plane::Tile& tile, std::span<const int> site_orbits = {},
-                 const CellMaterials& materials = {});
+VtuGrid vtu_grid(const plane::Tile& tile, const CellMaterials* materials = nullptr,
+                 std::span<const int> site_orbits = {});
 
 VtuGrid vtu_grid(const SpaceTile& tile);
 

@@ -5,8 +5,7 @@
 
 #include "io/bytes/text.hpp"
 #include "io/forms/seam_entities.hpp"
-#include "io/solvers/space_msh_reader.hpp"
-#include "io/solvers/space_msh_writer.hpp"
+#include "io/solvers/msh_writer.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/msh_links.hpp"
@@ -17,22 +16,22 @@ namespace {
 
 using ::testing::HasSubstr;
 
-EncodedFile encoded_msh(const space::TetrahedralMesh& mesh) {
-    return encode_space_msh(mesh, "t.msh").front();
+EncodedFile tetrahedra_msh(const space::TetrahedralMesh& mesh) {
+    return encode_msh(entity_mesh(mesh), "t.msh").front();
 }
 
-std::string msh_fault(const std::string& piece, const std::string& other) {
-    EncodedFile file = encoded_msh(testing::random_tetrahedra(8));
+std::string tetrahedra_msh_fault(const std::string& piece, const std::string& other) {
+    EncodedFile file = tetrahedra_msh(testing::random_tetrahedra(8));
     file.bytes = testing::exchanged(file.bytes, piece, other);
     return testing::fault_of_tetrahedra(file);
 }
 
-TEST(SpaceMsh, GivesBackPointsSitesAndTetrahedra) {
+TEST(MshTetrahedra, GivesBackPointsSitesAndTetrahedra) {
     const auto cases = testing::tetrahedra_cases();
     EXPECT_GT(cases.size(), 45U);
     for (const auto& [name, mesh] : cases) {
         SCOPED_TRACE(name);
-        const EncodedFile file = encoded_msh(mesh);
+        const EncodedFile file = tetrahedra_msh(mesh);
         ASSERT_EQ(space_file_kind({file}), SpaceFileKind::kTetrahedra);
         const space::TetrahedralMesh found = prove_tetrahedral_file(file).mesh;
         EXPECT_EQ(found.points, mesh.points);
@@ -42,10 +41,10 @@ TEST(SpaceMsh, GivesBackPointsSitesAndTetrahedra) {
     }
 }
 
-TEST(SpaceMsh, TiesEachNodeByAnyOfItsLinksAndBySurfacesAlone) {
+TEST(MshTetrahedra, TiesEachNodeByAnyOfItsLinksAndBySurfacesAlone) {
     for (const auto& [name, mesh] : testing::tetrahedra_cases()) {
         SCOPED_TRACE(name);
-        testing::expect_orbits(encoded_msh(mesh).bytes, prove_tetrahedra(mesh).n_sites);
+        testing::expect_orbits(tetrahedra_msh(mesh).bytes, prove_tetrahedra(mesh).n_sites);
     }
 }
 
@@ -60,9 +59,9 @@ std::vector<int> first_numbers(const std::string& msh, const std::string& sectio
     return numbers;
 }
 
-TEST(SpaceMsh, GroupsAllElementsAndListsSitesInTheOrderOfNodes) {
+TEST(MshTetrahedra, GroupsAllElementsAndListsSitesInTheOrderOfNodes) {
     const space::TetrahedralMesh mesh = testing::random_tetrahedra(30);
-    const std::string msh = encoded_msh(mesh).bytes;
+    const std::string msh = tetrahedra_msh(mesh).bytes;
     // The rows of $Nodes with one word are the numbers of the nodes.
     std::istringstream text(msh.substr(msh.find("$Nodes\n")));
     std::vector<int> nodes;
@@ -74,22 +73,25 @@ TEST(SpaceMsh, GroupsAllElementsAndListsSitesInTheOrderOfNodes) {
     EXPECT_EQ(msh.find("\n1 1 1 "), std::string::npos) << "a block of lines";
 }
 
-TEST(SpaceMsh, IsRefusedWhereItStatesSomethingElse) {
-    EXPECT_EQ(msh_fault("written by pcvt", "written by pcvt"), "");
-    EXPECT_THAT(msh_fault("pcvt lattice 1", "pcvt lattice 1 1"), HasSubstr("nine numbers"));
-    EXPECT_THAT(msh_fault("pcvt lattice 1", "pcvt lattice 2"), HasSubstr("law"));
-    EXPECT_THAT(msh_fault("pcvt lattice", "pcvt lettice"), HasSubstr("the lattice comes before"));
-    EXPECT_THAT(msh_fault("\"domain\"", "\"demain\""), HasSubstr("domain"));
-    EXPECT_THAT(msh_fault("\"seam_", "\"team_"), HasSubstr("seam_"));
-    EXPECT_THAT(msh_fault("$Elements\n", "$Elements\n7"), HasSubstr("t.msh:"));
-    EXPECT_THAT(msh_fault("\"cell_id\"", "\"other\""), HasSubstr("site of each node"));
-    EXPECT_THAT(msh_fault("$Periodic\n", "$Periodic\n1"), HasSubstr("$Periodic"));
-    EXPECT_THAT(msh_fault("$EndNodes\n", "7 7 7\n$EndNodes\n"), HasSubstr("$Nodes"));
+TEST(MshTetrahedra, IsRefusedWhereItStatesSomethingElse) {
+    EXPECT_EQ(tetrahedra_msh_fault("written by pcvt", "written by pcvt"), "");
+    EXPECT_THAT(tetrahedra_msh_fault("pcvt lattice 1", "pcvt lattice 1 1"),
+                HasSubstr("nine numbers"));
+    EXPECT_THAT(tetrahedra_msh_fault("pcvt lattice 1", "pcvt lattice 2"), HasSubstr("law"));
+    EXPECT_THAT(tetrahedra_msh_fault("pcvt lattice", "pcvt lettice"),
+                HasSubstr("the lattice comes before"));
+    EXPECT_THAT(tetrahedra_msh_fault("\"domain\"", "\"demain\""), HasSubstr("domain"));
+    EXPECT_THAT(tetrahedra_msh_fault("\"seam_", "\"team_"), HasSubstr("seam_"));
+    EXPECT_THAT(tetrahedra_msh_fault("$Elements\n", "$Elements\n7"), HasSubstr("t.msh:"));
+    EXPECT_THAT(tetrahedra_msh_fault("\"cell_id\"", "\"other\""), HasSubstr("site of each node"));
+    EXPECT_THAT(tetrahedra_msh_fault("$Periodic\n", "$Periodic\n1"), HasSubstr("$Periodic"));
+    EXPECT_THAT(tetrahedra_msh_fault("$EndNodes\n", "7 7 7\n$EndNodes\n"),
+                HasSubstr("more lines than its count"));
 }
 
-TEST(SpaceMsh, RefutesAMovedNode) {
+TEST(MshTetrahedra, RefutesAMovedNode) {
     space::TetrahedralMesh mesh = testing::random_tetrahedra(8);
-    EncodedFile file = encoded_msh(mesh);
+    EncodedFile file = tetrahedra_msh(mesh);
     std::string word;
     append_number(word, mesh.points[0].x());
     file.bytes = testing::exchanged(file.bytes, "\n" + word + " ", "\n0.123 ");

@@ -130,7 +130,7 @@ TEST(Vtu, FaultsOfTheGridNameTheirLine) {
 
 /// Two orbits of the four sites of a grid.
 std::string with_orbits(const plane::Tile& tile) {
-    return encode_vtu(vtu_grid(tile, std::array{0, 1, 1, 0}), "t.vtu")[0].bytes;
+    return encode_vtu(vtu_grid(tile, nullptr, std::array{0, 1, 1, 0}), "t.vtu")[0].bytes;
 }
 
 TEST(Vtu, OrbitsReadBackFromCellsAndTriangles) {
@@ -148,10 +148,8 @@ TEST(Vtu, OrbitsReadBackFromCellsAndTriangles) {
 }
 
 std::string with_phases(const plane::Tile& tile) {
-    return encode_vtu(
-               vtu_grid(tile, {}, {.phase_names = {"soft", "2nd"}, .site_phase = {0, 1, 1, 0}}),
-               "t.vtu")[0]
-        .bytes;
+    const CellMaterials materials{.phase_names = {"soft", "2nd"}, .site_phase = {0, 1, 1, 0}};
+    return encode_vtu(vtu_grid(tile, &materials), "t.vtu")[0].bytes;
 }
 
 TEST(Vtu, PhasesReadBackFromCellsAndGrains) {

@@ -7,8 +7,8 @@
 
 namespace pcvt {
 
-/// A curve of Gmsh: a chain of edges on which two cells meet, or that bounds the tile.
-struct MshCurve {
+/// A chain of edges on which two cells meet, or that bounds the tile.
+struct CellCurve {
     /// Both ends included, so two or more; a closed curve ends where it begins.
     std::vector<int> vertices;
     /// Of order 2 the nodes between them: middles[k] after vertices[k].
@@ -27,8 +27,8 @@ struct MshCurve {
     bool is_seam() const { return bounds_tile() && !wall; }
 };
 
-/// A surface of Gmsh: the triangles of all images of one cell in the tile.
-struct MshSurface {
+/// The triangles of all images of one cell in the tile.
+struct CellSurface {
     SiteId site;
     std::vector<int> triangles = {};
     /// Indices of its curves, rising; a curve with the surface on both sides twice.
@@ -38,28 +38,28 @@ struct MshSurface {
     std::vector<int> nodes = {};
 };
 
-/// The entities that Gmsh needs to know cells and their boundaries. Laws, tested by number:
+/// The cells of triangles and their boundaries, as entities of Gmsh. Laws, tested by number:
 ///
 ///   (1) Two triangles with a common edge belong to one cell, or a curve contains the edge.
 ///   (2) Curves end at points and contain no other points; the points of the seam are closed under
 ///       identification. A curve of the tile's boundary has one translation or lies on one wall.
 ///   (3) Every node is a point, or inside of one curve, or inside of one surface.
-struct MshEntities {
+struct CellEntities {
     /// The vertex of each point.
     std::vector<int> points;
     /// The seam and the walls first, counter-clockwise; then the boundaries between cells.
-    std::vector<MshCurve> curves;
+    std::vector<CellCurve> curves;
     /// By rising site; cells without a triangle have none.
-    std::vector<MshSurface> surfaces;
+    std::vector<CellSurface> surfaces;
 };
 
 /// Example usage:
 ///     const SolverNodes nodes = solver_nodes(tile);
-///     for (const MshSurface& cell : msh_entities(tile, nodes).surfaces) count(cell.triangles);
+///     for (const CellSurface& cell : cell_entities(tile, nodes).surfaces) count(cell.triangles);
 ///
 /// @param nodes  solver_nodes() of the tile.
 /// @pre the tile consists of triangles and has its edge_pairs and wall_edges.
 /// @throws InternalError where its boundary does not consist of loops.
-MshEntities msh_entities(const plane::Tile& tile, const SolverNodes& nodes);
+CellEntities cell_entities(const plane::Tile& tile, const SolverNodes& nodes);
 
 }  // namespace pcvt

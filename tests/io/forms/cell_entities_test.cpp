@@ -1,4 +1,4 @@
-#include "io/solvers/msh_entities.hpp"
+#include "io/forms/cell_entities.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ plane::Tile tile_of(int n, const plane::TileOptions& options) {
 }
 
 /// Tiles in which cells are cut, meet their own images, or own no triangle.
-std::vector<plane::Tile> tiles() {
+std::vector<plane::Tile> entity_tiles() {
     std::vector<plane::Tile> all = testing::solver_tiles(testing::awkward_lattices());
     for (const int n : {1, 2, 7, 60}) {
         all.push_back(tile_of(n, {.kind = plane::MeshKind::kDelaunay}));
@@ -52,9 +52,9 @@ std::map<Edge, std::vector<int>> faces_at_edges(const plane::Tile& tile) {
     return faces;
 }
 
-std::map<Edge, const MshCurve*> curves_at_edges(const MshEntities& entities) {
-    std::map<Edge, const MshCurve*> curves;
-    for (const MshCurve& curve : entities.curves) {
+std::map<Edge, const CellCurve*> curves_at_edges(const CellEntities& entities) {
+    std::map<Edge, const CellCurve*> curves;
+    for (const CellCurve& curve : entities.curves) {
         for (std::size_t k = 0; k + 1 < curve.vertices.size(); ++k) {
             const Edge e = edge(curve.vertices[k], curve.vertices[k + 1]);
             EXPECT_TRUE(curves.emplace(e, &curve).second);
@@ -63,9 +63,9 @@ std::map<Edge, const MshCurve*> curves_at_edges(const MshEntities& entities) {
     return curves;
 }
 
-TEST(MshEntities, Law1EdgesBetweenCellsAndNoOthersAreOnCurves) {
-    for (const plane::Tile& tile : tiles()) {
-        const MshEntities entities = msh_entities(tile, solver_nodes(tile));
+TEST(CellEntities, Law1EdgesBetweenCellsAndNoOthersAreOnCurves) {
+    for (const plane::Tile& tile : entity_tiles()) {
+        const CellEntities entities = cell_entities(tile, solver_nodes(tile));
         const TriangleCells cells(tile);
         const auto curves = curves_at_edges(entities);
         for (const auto& [ends, faces] : faces_at_edges(tile)) {
@@ -83,12 +83,12 @@ TEST(MshEntities, Law1EdgesBetweenCellsAndNoOthersAreOnCurves) {
     }
 }
 
-TEST(MshEntities, Law2CurvesEndAtPointsThatTheSeamIdentifies) {
-    for (const plane::Tile& tile : tiles()) {
-        const MshEntities entities = msh_entities(tile, solver_nodes(tile));
+TEST(CellEntities, Law2CurvesEndAtPointsThatTheSeamIdentifies) {
+    for (const plane::Tile& tile : entity_tiles()) {
+        const CellEntities entities = cell_entities(tile, solver_nodes(tile));
         const std::set<int> points(entities.points.begin(), entities.points.end());
         for (std::size_t k = 0; k < entities.curves.size(); ++k) {
-            const MshCurve& curve = entities.curves[k];
+            const CellCurve& curve = entities.curves[k];
             for (const int v : curve.vertices) {
                 const bool is_end = v == curve.vertices.front() || v == curve.vertices.back();
                 ASSERT_EQ(points.contains(v), is_end);
@@ -101,7 +101,7 @@ TEST(MshEntities, Law2CurvesEndAtPointsThatTheSeamIdentifies) {
                 EXPECT_EQ(curve.partner, -1);
             }
             if (!curve.is_seam()) continue;
-            const MshCurve& partner = entities.curves[curve.partner];
+            const CellCurve& partner = entities.curves[curve.partner];
             EXPECT_EQ(partner.partner, static_cast<int>(k));
             EXPECT_EQ(partner.offset, -curve.offset);
             ASSERT_EQ(partner.vertices.size(), curve.vertices.size());
@@ -115,19 +115,19 @@ TEST(MshEntities, Law2CurvesEndAtPointsThatTheSeamIdentifies) {
     }
 }
 
-TEST(MshEntities, Law3EachNodeBelongsToOneEntityAndEachTriangleToOneSurface) {
-    for (const plane::Tile& tile : tiles()) {
+TEST(CellEntities, Law3EachNodeBelongsToOneEntityAndEachTriangleToOneSurface) {
+    for (const plane::Tile& tile : entity_tiles()) {
         const SolverNodes nodes = solver_nodes(tile);
-        const MshEntities entities = msh_entities(tile, nodes);
+        const CellEntities entities = cell_entities(tile, nodes);
         std::vector<int> owners(nodes.points.size(), 0);
         for (const int v : entities.points) ++owners[v];
-        for (const MshCurve& curve : entities.curves) {
+        for (const CellCurve& curve : entities.curves) {
             for (std::size_t k = 1; k + 1 < curve.vertices.size(); ++k) ++owners[curve.vertices[k]];
             for (const int v : curve.middles) ++owners[v];
             EXPECT_EQ(curve.middles.size(), tile.order == 2 ? curve.vertices.size() - 1 : 0);
         }
         std::vector<int> triangles;
-        for (const MshSurface& cell : entities.surfaces) {
+        for (const CellSurface& cell : entities.surfaces) {
             for (const int v : cell.nodes) ++owners[v];
             triangles.insert(triangles.end(), cell.triangles.begin(), cell.triangles.end());
             EXPECT_FALSE(cell.triangles.empty());

@@ -1,4 +1,4 @@
-#include "io/solvers/msh_entities.hpp"
+#include "io/forms/cell_entities.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,7 +34,7 @@ class EntityFinder {
     EntityFinder(const plane::Tile& tile, const SolverNodes& nodes)
         : tile_(tile), nodes_(nodes), cells_(tile), segments_(seam_segments(tile, nodes.middles)) {}
 
-    MshEntities find() {
+    CellEntities find() {
         make_surfaces();
         find_cell_edges();
         choose_points();
@@ -162,7 +162,7 @@ class EntityFinder {
                                                 .offset = segment.offset,
                                                 .wall = segment.wall});
                 }
-                MshCurve& curve = entities_.curves.back();
+                CellCurve& curve = entities_.curves.back();
                 curve.vertices.push_back(segment.vertices[k + 1]);
                 if (!segment.middles.empty()) curve.middles.push_back(segment.middles[k]);
             }
@@ -186,7 +186,7 @@ class EntityFinder {
                                     {},
                                     surface_of_[edges_[e].faces[forward ? 0 : 1]],
                                     surface_of_[edges_[e].faces[forward ? 1 : 0]]});
-        MshCurve& curve = entities_.curves.back();
+        CellCurve& curve = entities_.curves.back();
         while (!walked_[e]) {
             walked_[e] = true;
             v = edges_[e].ends[edges_[e].ends[0] == v ? 1 : 0];
@@ -220,7 +220,7 @@ class EntityFinder {
 
     void link_curves() {
         for (int k = 0; k < n_curves(); ++k) {
-            const MshCurve& curve = entities_.curves[k];
+            const CellCurve& curve = entities_.curves[k];
             entities_.surfaces[curve.left].left_of.push_back(k);
             if (!curve.bounds_tile()) entities_.surfaces[curve.right].right_of.push_back(k);
         }
@@ -229,11 +229,11 @@ class EntityFinder {
     /// Gives each surface the nodes that lie on no curve.
     void share_out_nodes() {
         std::vector<bool> taken(nodes_.points.size(), false);
-        for (const MshCurve& curve : entities_.curves) {
+        for (const CellCurve& curve : entities_.curves) {
             for (const int v : curve.vertices) taken[v] = true;
             for (const int v : curve.middles) taken[v] = true;
         }
-        for (MshSurface& surface : entities_.surfaces) {
+        for (CellSurface& surface : entities_.surfaces) {
             for (const int f : surface.triangles) {
                 for (const int v : element_nodes(tile_, nodes_, f)) {
                     if (!taken[v]) surface.nodes.push_back(v);
@@ -252,7 +252,7 @@ class EntityFinder {
     const SolverNodes& nodes_;
     const TriangleCells cells_;
     const std::vector<SeamSegment> segments_;
-    MshEntities entities_;
+    CellEntities entities_;
     /// Index of the surface of each triangle.
     std::vector<int> surface_of_;
     /// The edges between cells; vertex v has edges_at_[edges_begin_[v]] ... of them.
@@ -265,7 +265,7 @@ class EntityFinder {
 
 }  // namespace
 
-MshEntities msh_entities(const plane::Tile& tile, const SolverNodes& nodes) {
+CellEntities cell_entities(const plane::Tile& tile, const SolverNodes& nodes) {
     return EntityFinder(tile, nodes).find();
 }
 
