@@ -15,10 +15,10 @@
 #include "io/graphics/ply_reader.hpp"
 #include "io/graphics/ply_writer.hpp"
 #include "io/run_files/site_reader.hpp"
+#include "io/solvers/vtu_volumes.hpp"
+#include "io/solvers/vtu_writer.hpp"
 #include "io/space/space_foam_reader.hpp"
 #include "io/space/space_foam_writer.hpp"
-#include "io/space/space_vtu_reader.hpp"
-#include "io/space/space_vtu_writer.hpp"
 
 namespace pcvt {
 namespace {
@@ -74,12 +74,12 @@ bool is_vtu(const EncodedFile& file) { return lower_case_extension(file.path) ==
 
 /// Whether a file is a VTU that pcvt wrote, whose tags and words follow from its tile.
 bool is_own_vtu(const EncodedFile& file) {
-    return is_vtu(file) && file.bytes.find(kSpaceVtuMark) != std::string::npos;
+    return is_vtu(file) && file.bytes.find(kPolyhedraVtuMark) != std::string::npos;
 }
 
 SpaceTile decode(const std::vector<EncodedFile>& files, double tolerance) {
     if (is_space_case(files)) return decode_space_foam(files, tolerance);
-    if (is_vtu(files.front())) return decode_space_vtu(files.front(), tolerance);
+    if (is_vtu(files.front())) return decode_vtu_polyhedra(files.front(), tolerance);
     SurfaceList list = decode_surfaces(files.front());
     space::Points sites = list.surface.sites;
     return {assembled_cells(std::move(list), files.front().path), std::move(sites)};
@@ -126,7 +126,7 @@ SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double t
         require_same_bytes(files, encode_again(std::move(list), files.front().path));
     }
     if (is_own_vtu(files.front())) {
-        require_same_bytes(files, encode_space_vtu(tile, files.front().path));
+        require_same_bytes(files, encode_vtu(vtu_grid(tile), files.front().path));
     }
     return result;
 }

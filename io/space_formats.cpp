@@ -16,14 +16,12 @@
 #include "io/graphics/ply_writer.hpp"
 #include "io/openfoam/foam_text.hpp"
 #include "io/pictures/space_picture.hpp"
+#include "io/solvers/msh_tetrahedra.hpp"
+#include "io/solvers/msh_writer.hpp"
+#include "io/solvers/vtu_volumes.hpp"
+#include "io/solvers/vtu_writer.hpp"
 #include "io/space/space_foam_reader.hpp"
 #include "io/space/space_foam_writer.hpp"
-#include "io/space/space_msh_reader.hpp"
-#include "io/space/space_msh_writer.hpp"
-#include "io/space/space_vtu_reader.hpp"
-#include "io/space/space_vtu_writer.hpp"
-#include "io/space/tetrahedra_vtu_reader.hpp"
-#include "io/space/tetrahedra_vtu_writer.hpp"
 
 namespace pcvt {
 namespace {
@@ -35,6 +33,16 @@ template <auto kEncode>
 std::vector<EncodedFile> encode_volumes(const SpaceTile& tile, const SpaceFileOptions&,
                                         const std::string& path) {
     return kEncode(tile, path);
+}
+
+template <class Mesh>
+std::vector<EncodedFile> encode_grid(const Mesh& mesh, const std::string& path) {
+    return encode_vtu(vtu_grid(mesh), path);
+}
+
+std::vector<EncodedFile> encode_entities(const space::TetrahedralMesh& mesh,
+                                         const std::string& path) {
+    return encode_msh(entity_mesh(mesh), path);
 }
 
 template <auto kEncode, SeamForm kSeam>
@@ -61,7 +69,7 @@ Kind kind_where(const std::vector<EncodedFile>& files) {
 }
 
 Kind vtu_kind(const std::vector<EncodedFile>& files) {
-    if (holds_polyhedra(files.front())) return SpaceFileKind::kPolyhedra;
+    if (holds_vtu_polyhedra(files.front())) return SpaceFileKind::kPolyhedra;
     return holds_vtu_tetrahedra(files.front()) ? Kind(SpaceFileKind::kTetrahedra) : std::nullopt;
 }
 
@@ -78,11 +86,11 @@ constexpr std::array kSpaceFormats{
                 .surfaces = FormatSurfaces::kNone,
                 .memory = 11300,
                 .paths = itself,
-                .encode = encode_volumes<encode_space_vtu>,
-                .encode_tetrahedra = encode_tetrahedra_vtu,
+                .encode = encode_volumes<encode_grid<SpaceTile>>,
+                .encode_tetrahedra = encode_grid<space::TetrahedralMesh>,
                 .kind = vtu_kind,
-                .decode_tetrahedra = decode_tetrahedra_vtu,
-                .compare_tetrahedra = compare_tetrahedra_vtu,
+                .decode_tetrahedra = decode_vtu_tetrahedra,
+                .compare_tetrahedra = compare_vtu_tetrahedra,
                 .states_short_edges = true},
     SpaceFormat{.extension = ".foam",
                 .is_folder = true,
@@ -100,10 +108,10 @@ constexpr std::array kSpaceFormats{
                 .memory = 7900,
                 .paths = itself,
                 .encode = nullptr,
-                .encode_tetrahedra = encode_space_msh,
-                .kind = kind_where<SpaceFileKind::kTetrahedra, holds_tetrahedra>,
-                .decode_tetrahedra = decode_space_msh,
-                .compare_tetrahedra = compare_space_msh},
+                .encode_tetrahedra = encode_entities,
+                .kind = kind_where<SpaceFileKind::kTetrahedra, holds_msh_tetrahedra>,
+                .decode_tetrahedra = decode_msh_tetrahedra,
+                .compare_tetrahedra = compare_msh_tetrahedra},
     SpaceFormat{.extension = ".obj",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kChosen,

@@ -8,6 +8,7 @@
 #include "io/bytes/extension.hpp"
 #include "io/cutting/dxf_writer.hpp"
 #include "io/cutting/svg_cut_writer.hpp"
+#include "io/forms/triangle_elements.hpp"
 #include "io/gltf/gltf_reader.hpp"
 #include "io/gltf/gltf_writer.hpp"
 #include "io/graphics/obj_reader.hpp"
@@ -152,13 +153,13 @@ std::vector<EncodedFile> write_svg(const plane::Tile& tile, const FileOptions& o
 
 std::vector<EncodedFile> write_msh(const plane::Tile& tile, const FileOptions& options,
                                    const std::string& path) {
-    return encode_msh(tile, path, options.materials, options.site_orbits);
+    require_triangles(tile.kind, path);
+    return encode_msh(entity_mesh(tile, options.materials, options.site_orbits), path);
 }
 
 std::vector<EncodedFile> write_vtu(const plane::Tile& tile, const FileOptions& options,
                                    const std::string& path) {
-    return encode_vtu(tile, path, options.site_orbits,
-                      options.materials == nullptr ? CellMaterials{} : *options.materials);
+    return encode_vtu(vtu_grid(tile, options.materials, options.site_orbits), path);
 }
 
 std::vector<EncodedFile> write_foam(const plane::Tile& tile, const FileOptions& options,

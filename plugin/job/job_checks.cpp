@@ -7,7 +7,7 @@
 #include "io/tiles/tile_file.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/plane/symmetry/special_positions.hpp"
-#include "plugin/job/features.hpp"
+#include "plugin/job/contradictions.hpp"
 #include "plugin/job/job_constraints.hpp"
 #include "plugin/job/job_start.hpp"
 
