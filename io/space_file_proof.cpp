@@ -3,9 +3,11 @@
 #include "io/bytes/bad_file.hpp"
 #include "io/bytes/extension.hpp"
 #include "io/bytes/output_error.hpp"
+#include "io/openfoam/foam_fields.hpp"
+#include "io/openfoam/foam_lists.hpp"
+#include "io/openfoam/foam_polyhedra.hpp"
+#include "io/openfoam/foam_writer.hpp"
 #include "io/run_files/site_reader.hpp"
-#include "io/space/space_foam_reader.hpp"
-#include "io/space/space_foam_writer.hpp"
 #include "io/space/space_vtu_reader.hpp"
 #include "io/space/space_vtu_writer.hpp"
 #include "io/surfaces/surface_glb_fields.hpp"
@@ -70,7 +72,7 @@ bool is_own_vtu(const EncodedFile& file) {
 }
 
 SpaceTile decode(const std::vector<EncodedFile>& files, double tolerance) {
-    if (is_space_case(files)) return decode_space_foam(files, tolerance);
+    if (is_foam_of_polyhedra(files)) return decode_foam_polyhedra(files, tolerance);
     if (is_vtu(files.front())) return decode_space_vtu(files.front(), tolerance);
     return std::get<SpaceTile>(decode_surfaces(files.front()));
 }
@@ -109,7 +111,9 @@ SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double t
     const SpaceTile& tile = result.tile;
     result.proof = prove_polyhedra(tile.mesh, tolerance);
     if (tile.sites.cols() > 0) result.sites = prove_cell_sites(tile.mesh, tile.sites);
-    if (is_space_case(files)) compare_space_case(files, tile);
+    if (is_foam_of_polyhedra(files)) {
+        compare_files(files, encode_foam(foam_case(tile), foam_folder(files)), foam_fields);
+    }
     const std::string extension = lower_case_extension(files.front().path);
     if (extension == ".obj" || extension == ".ply") {
         const SurfaceList list = surface_list(tile, SurfaceForm::kCells);

@@ -4,10 +4,10 @@
 #include <array>
 
 #include "io/bytes/extension.hpp"
+#include "io/openfoam/foam_polyhedra.hpp"
 #include "io/openfoam/foam_text.hpp"
+#include "io/openfoam/foam_writer.hpp"
 #include "io/pictures/space_picture.hpp"
-#include "io/space/space_foam_reader.hpp"
-#include "io/space/space_foam_writer.hpp"
 #include "io/space/space_msh_reader.hpp"
 #include "io/space/space_msh_writer.hpp"
 #include "io/space/space_vtu_reader.hpp"
@@ -35,6 +35,10 @@ std::vector<EncodedFile> encode_volumes(const SpaceTile& tile, const SpaceFileOp
     return kEncode(tile, path);
 }
 
+std::vector<EncodedFile> encode_polyhedra(const SpaceTile& tile, const std::string& folder) {
+    return encode_foam(foam_case(tile), folder);
+}
+
 template <auto kEncode>
 std::vector<EncodedFile> encode_surfaces(const SpaceTile& tile, const SpaceFileOptions& options,
                                          const std::string& path) {
@@ -49,7 +53,7 @@ std::vector<EncodedFile> encode_om_boundary(const SpaceTile& tile, const SpaceFi
 using Kind = std::optional<SpaceFileKind>;
 
 Kind case_kind(const std::vector<EncodedFile>& files) {
-    return is_space_case(files) ? Kind(SpaceFileKind::kPolyhedra) : std::nullopt;
+    return is_foam_of_polyhedra(files) ? Kind(SpaceFileKind::kPolyhedra) : std::nullopt;
 }
 
 template <SpaceFileKind kKind, auto kHolds>
@@ -92,8 +96,8 @@ constexpr std::array kSpaceFormats{
                 .is_folder = true,
                 .surfaces = FormatSurfaces::kNone,
                 .memory = 6900,
-                .paths = space_foam_paths,
-                .encode = encode_volumes<encode_space_foam>,
+                .paths = foam_paths<FoamCells::kPolyhedra>,
+                .encode = encode_volumes<encode_polyhedra>,
                 .encode_tetrahedra = nullptr,
                 .kind = case_kind,
                 .states_short_edges = true,
