@@ -14,11 +14,13 @@
 #include "io/graphics/om_writer.hpp"
 #include "io/graphics/ply_reader.hpp"
 #include "io/graphics/ply_writer.hpp"
+#include "io/openfoam/foam_fields.hpp"
+#include "io/openfoam/foam_lists.hpp"
+#include "io/openfoam/foam_polyhedra.hpp"
+#include "io/openfoam/foam_writer.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "io/solvers/vtu_volumes.hpp"
 #include "io/solvers/vtu_writer.hpp"
-#include "io/space/space_foam_reader.hpp"
-#include "io/space/space_foam_writer.hpp"
 
 namespace pcvt {
 namespace {
@@ -78,7 +80,7 @@ bool is_own_vtu(const EncodedFile& file) {
 }
 
 SpaceTile decode(const std::vector<EncodedFile>& files, double tolerance) {
-    if (is_space_case(files)) return decode_space_foam(files, tolerance);
+    if (is_foam_of_polyhedra(files)) return decode_foam_polyhedra(files, tolerance);
     if (is_vtu(files.front())) return decode_vtu_polyhedra(files.front(), tolerance);
     SurfaceList list = decode_surfaces(files.front());
     space::Points sites = list.surface.sites;
@@ -119,7 +121,9 @@ SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double t
     const SpaceTile& tile = result.tile;
     result.proof = prove_polyhedra(tile.mesh, tolerance);
     if (tile.sites.cols() > 0) result.sites = prove_cell_sites(tile.mesh, tile.sites);
-    if (is_space_case(files)) compare_space_case(files, tile);
+    if (is_foam_of_polyhedra(files)) {
+        compare_files(files, encode_foam(foam_case(tile), foam_folder(files)), foam_fields);
+    }
     const std::string extension = lower_case_extension(files.front().path);
     if (extension == ".obj" || extension == ".ply") {
         SurfaceList list = surface_list(tile.mesh, tile.sites, SurfaceForm::kCells);

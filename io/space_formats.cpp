@@ -14,14 +14,14 @@
 #include "io/graphics/om_writer.hpp"
 #include "io/graphics/ply_reader.hpp"
 #include "io/graphics/ply_writer.hpp"
+#include "io/openfoam/foam_polyhedra.hpp"
 #include "io/openfoam/foam_text.hpp"
+#include "io/openfoam/foam_writer.hpp"
 #include "io/pictures/space_picture.hpp"
 #include "io/solvers/msh_tetrahedra.hpp"
 #include "io/solvers/msh_writer.hpp"
 #include "io/solvers/vtu_volumes.hpp"
 #include "io/solvers/vtu_writer.hpp"
-#include "io/space/space_foam_reader.hpp"
-#include "io/space/space_foam_writer.hpp"
 
 namespace pcvt {
 namespace {
@@ -33,6 +33,10 @@ template <auto kEncode>
 std::vector<EncodedFile> encode_volumes(const SpaceTile& tile, const SpaceFileOptions&,
                                         const std::string& path) {
     return kEncode(tile, path);
+}
+
+std::vector<EncodedFile> encode_polyhedra(const SpaceTile& tile, const std::string& folder) {
+    return encode_foam(foam_case(tile), folder);
 }
 
 template <class Mesh>
@@ -60,7 +64,7 @@ std::vector<EncodedFile> encode_boundary(const SpaceTile& tile, const SpaceFileO
 using Kind = std::optional<SpaceFileKind>;
 
 Kind case_kind(const std::vector<EncodedFile>& files) {
-    return is_space_case(files) ? Kind(SpaceFileKind::kPolyhedra) : std::nullopt;
+    return is_foam_of_polyhedra(files) ? Kind(SpaceFileKind::kPolyhedra) : std::nullopt;
 }
 
 template <SpaceFileKind kKind, auto kHolds>
@@ -96,8 +100,8 @@ constexpr std::array kSpaceFormats{
                 .is_folder = true,
                 .surfaces = FormatSurfaces::kNone,
                 .memory = 6900,
-                .paths = space_foam_paths,
-                .encode = encode_volumes<encode_space_foam>,
+                .paths = foam_paths<FoamCells::kPolyhedra>,
+                .encode = encode_volumes<encode_polyhedra>,
                 .encode_tetrahedra = nullptr,
                 .kind = case_kind,
                 .states_short_edges = true,

@@ -21,7 +21,7 @@
 #include "io/mpas/mpas_reader.hpp"
 #include "io/mpas/mpas_writer.hpp"
 #include "io/openfoam/foam_fields.hpp"
-#include "io/openfoam/foam_reader.hpp"
+#include "io/openfoam/foam_layer.hpp"
 #include "io/openfoam/foam_text.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/page/html_writer.hpp"
@@ -164,7 +164,7 @@ std::vector<EncodedFile> write_vtu(const plane::Tile& tile, const FileOptions& o
 
 std::vector<EncodedFile> write_foam(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path) {
-    return encode_foam(tile, path, options.thickness, options.materials);
+    return encode_foam(foam_case(tile, options.thickness, options.materials), path);
 }
 
 constexpr std::array<TileFormat, 17> kTileFormats{{
@@ -268,10 +268,10 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
     {.extension = ".foam",
      .description = "OpenFOAM, a case folder that icoFoam runs",
      .write = write_foam,
-     .read = decode_foam,
+     .read = decode_foam_layer,
      .fields = foam_fields,
      .holds_sites = false,
-     .paths = foam_paths,
+     .paths = foam_paths<FoamCells::kLayer>,
      .is_folder = true,
      .check = require_prisms,
      .check_path = require_foam_path,

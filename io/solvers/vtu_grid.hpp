@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/forms/element_mesh.hpp"
-#include "io/space/space_tile.hpp"
+#include "io/forms/space_tile.hpp"
 #include "mesher/cells/cell_materials.hpp"
 
 namespace pcvt {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/space/space_tile.hpp"
+#include "io/forms/space_tile.hpp"
 #include "io/tiles/encoded_file.hpp"
 #include "mesher/space/mesh/tetrahedral_mesh.hpp"
 

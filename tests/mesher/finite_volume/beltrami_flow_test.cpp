@@ -1,4 +1,4 @@
-#include "mesher/space/mesh/beltrami_flow.hpp"
+#include "mesher/finite_volume/beltrami_flow.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,13 +6,14 @@
 #include <numbers>
 #include <random>
 
-namespace pcvt::space {
+namespace pcvt {
 namespace {
 
-const Lattice kLattices[] = {Lattice::box(1, 1, 1), Lattice::box(2, 1, 1),
-                             Lattice({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {2.4, 0.3, 1.2})};
+const space::Lattice kLattices[] = {
+    space::Lattice::box(1, 1, 1), space::Lattice::box(2, 1, 1),
+    space::Lattice({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {2.4, 0.3, 1.2})};
 
-Vec3 random_point(std::mt19937& random) {
+space::Vec3 random_point(std::mt19937& random) {
     std::uniform_real_distribution<double> entry(-2, 2);
     return {entry(random), entry(random), entry(random)};
 }
@@ -20,13 +21,13 @@ Vec3 random_point(std::mt19937& random) {
 /// Law (1).
 TEST(BeltramiFlow, HasThePeriodOfTheLattice) {
     std::mt19937 random(1);
-    for (const Lattice& lattice : kLattices) {
+    for (const space::Lattice& lattice : kLattices) {
         const BeltramiFlow flow(lattice);
         for (int k = 0; k < 100; ++k) {
-            const Vec3 p = random_point(random);
-            const Vec3 u = flow.velocity(p);
+            const space::Vec3 p = random_point(random);
+            const space::Vec3 u = flow.velocity(p);
             EXPECT_LE(u.norm(), 1 + 1e-12);
-            for (const Vec3& period : lattice.periods()) {
+            for (const space::Vec3& period : lattice.periods()) {
                 EXPECT_LT((flow.velocity(p + period) - u).norm(), 1e-12);
             }
         }
@@ -37,19 +38,19 @@ TEST(BeltramiFlow, HasThePeriodOfTheLattice) {
 TEST(BeltramiFlow, IsAnEigenfunctionOfCurl) {
     std::mt19937 random(2);
     const double step = 1e-5;
-    for (const Lattice& lattice : kLattices) {
+    for (const space::Lattice& lattice : kLattices) {
         const BeltramiFlow flow(lattice);
         for (int k = 0; k < 100; ++k) {
-            const Vec3 p = random_point(random);
+            const space::Vec3 p = random_point(random);
             Eigen::Matrix3d derivative;
             for (int x = 0; x < 3; ++x) {
-                derivative.col(x) = (flow.velocity(p + step * Vec3::Unit(x)) -
-                                     flow.velocity(p - step * Vec3::Unit(x))) /
+                derivative.col(x) = (flow.velocity(p + step * space::Vec3::Unit(x)) -
+                                     flow.velocity(p - step * space::Vec3::Unit(x))) /
                                     (2 * step);
             }
-            const Vec3 curl(derivative(2, 1) - derivative(1, 2),
-                            derivative(0, 2) - derivative(2, 0),
-                            derivative(1, 0) - derivative(0, 1));
+            const space::Vec3 curl(derivative(2, 1) - derivative(1, 2),
+                                   derivative(0, 2) - derivative(2, 0),
+                                   derivative(1, 0) - derivative(0, 1));
             EXPECT_NEAR(derivative.trace(), 0, 1e-8);
             EXPECT_LT((curl + std::sqrt(flow.rate()) * flow.velocity(p)).norm(), 1e-7);
         }
@@ -58,4 +59,4 @@ TEST(BeltramiFlow, IsAnEigenfunctionOfCurl) {
 }
 
 }  // namespace
-}  // namespace pcvt::space
+}  // namespace pcvt

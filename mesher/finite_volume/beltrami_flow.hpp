@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "mesher/space/mesh/polyhedral_mesh.hpp"
+#include "mesher/space/geometry/lattice.hpp"
 
-namespace pcvt::space {
+namespace pcvt {
 
 /// A divergence-free flow in space with the period of a lattice and a known decay, to test solvers
 /// of the Navier-Stokes equations with:
@@ -18,16 +18,16 @@ namespace pcvt::space {
 ///
 /// Example usage:
 ///   const BeltramiFlow flow(mesh.lattice);
-///   const Vec3 u = flow.velocity(p) * std::exp(-nu * flow.rate() * t);
+///   const space::Vec3 u = flow.velocity(p) * std::exp(-nu * flow.rate() * t);
 ///
 /// Laws, tested by number:
 ///   (1) u has the period of the lattice and its speed is at most 1 length unit per second.
 ///   (2) curl u = -sqrt(rate) u.
 class BeltramiFlow {
    public:
-    explicit BeltramiFlow(const Lattice& lattice);
+    explicit BeltramiFlow(const space::Lattice& lattice);
 
-    Vec3 velocity(const Vec3& p) const;
+    space::Vec3 velocity(const space::Vec3& p) const;
     /// Returns the rate at which u decays with viscosity 1, 1 / length^2.
     double rate() const { return rate_; }
     /// Returns the time in which fluid with the speed 1 crosses a quarter of the wave, seconds.
@@ -35,17 +35,12 @@ class BeltramiFlow {
 
    private:
     struct Wave {
-        Vec3 k;
-        Vec3 e;
-        Vec3 f;
+        space::Vec3 k;
+        space::Vec3 e;
+        space::Vec3 f;
     };
     std::vector<Wave> waves_;
     double rate_ = 0;
 };
 
-/// Returns the largest rate over the cells at which a flow with these velocities at the centres of
-/// the faces fills a cell, 1 / second: half the sum of the fluxes over the volume.
-double courant_rate(const BeltramiFlow& flow, const PolyhedralMesh& mesh,
-                    const std::vector<CellBody>& bodies);
-
-}  // namespace pcvt::space
+}  // namespace pcvt
