@@ -74,17 +74,7 @@ void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& file
     tile.wall_edges = proved.proof.wall_edges;
     tile.grain_site_points = grain_site_points(tile, proved.cells.of_face);
     if (format.holds_sites) require_sites(files.front().path, tile);
-    for (const EncodedFile& expected : encode_tile(format, tile, path_of(format, files), options)) {
-        const auto found = std::find_if(files.begin(), files.end(), [&](const EncodedFile& part) {
-            return part.path == expected.path;
-        });
-        if (found == files.end() || found->bytes == expected.bytes) continue;
-        const auto fields = format.fields(found->path, found->bytes);
-        if (!fields) continue;
-        const auto wanted = format.fields(expected.path, expected.bytes);
-        // A note of the writer in a file that it writes without one belongs to no tile.
-        compare_fields(*fields, wanted.value_or(FileFields{.name = expected.path, .parts = {}}));
-    }
+    compare_files(files, encode_tile(format, tile, path_of(format, files), options), format.fields);
 }
 
 /// The part of the materials that a format states.

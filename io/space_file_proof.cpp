@@ -1,60 +1,70 @@
 #include "io/space_file_proof.hpp"
 
+#include <utility>
+
 #include "io/bytes/bad_file.hpp"
 #include "io/bytes/extension.hpp"
 #include "io/bytes/output_error.hpp"
+#include "io/forms/space_surface.hpp"
+#include "io/gltf/glb_mesh_fields.hpp"
+#include "io/gltf/glb_mesh_reader.hpp"
+#include "io/graphics/obj_reader.hpp"
+#include "io/graphics/obj_writer.hpp"
+#include "io/graphics/om_reader.hpp"
+#include "io/graphics/om_writer.hpp"
+#include "io/graphics/ply_reader.hpp"
+#include "io/graphics/ply_writer.hpp"
+#include "io/openfoam/foam_fields.hpp"
+#include "io/openfoam/foam_lists.hpp"
+#include "io/openfoam/foam_polyhedra.hpp"
+#include "io/openfoam/foam_writer.hpp"
 #include "io/run_files/site_reader.hpp"
-#include "io/space/space_foam_reader.hpp"
-#include "io/space/space_foam_writer.hpp"
-#include "io/space/space_vtu_reader.hpp"
-#include "io/space/space_vtu_writer.hpp"
-#include "io/surfaces/surface_glb_fields.hpp"
-#include "io/surfaces/surface_glb_reader.hpp"
-#include "io/surfaces/surface_obj_reader.hpp"
-#include "io/surfaces/surface_obj_writer.hpp"
-#include "io/surfaces/surface_om_reader.hpp"
-#include "io/surfaces/surface_om_writer.hpp"
-#include "io/surfaces/surface_ply_reader.hpp"
-#include "io/surfaces/surface_ply_writer.hpp"
+#include "io/solvers/vtu_volumes.hpp"
+#include "io/solvers/vtu_writer.hpp"
 
 namespace pcvt {
 namespace {
 
 /// Reads an OBJ or a PLY.
-SurfaceContent decode_surfaces(const EncodedFile& file) {
+SurfaceList decode_surfaces(const EncodedFile& file) {
     const bool is_obj = lower_case_extension(file.path) == ".obj";
-    return surface_content(is_obj ? decode_surface_obj(file) : decode_surface_ply(file), file.path);
+    return is_obj ? decode_obj_surfaces(file) : decode_ply_surfaces(file);
 }
 
 space::TileSurface decode_boundary(const EncodedFile& file) {
-    if (lower_case_extension(file.path) == ".om") return decode_surface_om(file);
-    return std::get<space::TileSurface>(decode_surfaces(file));
+    if (lower_case_extension(file.path) == ".om") return decode_om_boundary(file);
+    SurfaceList list = decode_surfaces(file);
+    require_faces(list, file.path);
+    return std::move(list.surface);
 }
 
-/// Encodes what was read from a file in the format of its path.
-std::vector<EncodedFile> encode_again(const SurfaceList& list, const std::string& path) {
+/// Encodes surfaces that were read from a file in the format of its path.
+std::vector<EncodedFile> encode_again(SurfaceList list, const std::string& path) {
     const std::string extension = lower_case_extension(path);
-    return extension == ".obj" ? encode_surface_obj(list, path) : encode_surface_ply(list, path);
+    if (extension == ".om") return encode_om_boundary(list.surface, path);
+    if (extension == ".obj") {
+        return encode_obj_mesh(surface_mesh(std::move(list), SeamForm::kLines), path);
+    }
+    return encode_ply_mesh(surface_mesh(std::move(list), SeamForm::kColumns), path);
 }
 
-std::vector<EncodedFile> encode_again(const space::TileSurface& surface, const std::string& path) {
-    const bool is_om = lower_case_extension(path) == ".om";
-    return is_om ? encode_surface_om(surface, path) : encode_again(surface_list(surface), path);
+SurfaceMesh surfaces_of(const SpaceTile& tile, SurfaceForm form) {
+    return surface_mesh(surface_list(tile.mesh, tile.sites, form), SeamForm::kNone);
 }
 
 /// Proves triangles of a tile. Those of a tile that is too fine for single precision may break laws
 /// although they are those of its faces.
 bool holds_same_triangles(const EncodedFile& glb, const SpaceTile& tile) {
-    const SurfaceGlb found = decode_surface_glb(glb);
-    require_same_surfaces(found, surface_list(tile, found.form));
+    const GlbSurfaces found = decode_glb_surfaces(glb);
+    require_same_surfaces(found, surfaces_of(tile, found.form));
     if (found.lattice.periods() != tile.mesh.lattice.periods() || found.sites != tile.sites) {
         return false;
     }
     try {
-        prove_surface_glb(found);
-        compare_surface_glb(glb, found);
+        prove_glb_surfaces(found);
+        compare_glb_surfaces(glb, found);
     } catch (const InvalidInput&) {
-        if (fits_single_precision(surface_list(tile, SurfaceForm::kCells))) throw;
+        if (fits_single_precision(surfaces_of(tile, SurfaceForm::kCells))) throw;
         throw CoarsePrecision(glb.path +
                               ": the format's single precision is too coarse for this tile; take "
                               "another format");
@@ -66,13 +76,15 @@ bool is_vtu(const EncodedFile& file) { return lower_case_extension(file.path) ==
 
 /// Whether a file is a VTU that pcvt wrote, whose tags and words follow from its tile.
 bool is_own_vtu(const EncodedFile& file) {
-    return is_vtu(file) && file.bytes.find(kSpaceVtuMark) != std::string::npos;
+    return is_vtu(file) && file.bytes.find(kPolyhedraVtuMark) != std::string::npos;
 }
 
 SpaceTile decode(const std::vector<EncodedFile>& files, double tolerance) {
-    if (is_space_case(files)) return decode_space_foam(files, tolerance);
-    if (is_vtu(files.front())) return decode_space_vtu(files.front(), tolerance);
-    return std::get<SpaceTile>(decode_surfaces(files.front()));
+    if (is_foam_of_polyhedra(files)) return decode_foam_polyhedra(files, tolerance);
+    if (is_vtu(files.front())) return decode_vtu_polyhedra(files.front(), tolerance);
+    SurfaceList list = decode_surfaces(files.front());
+    space::Points sites = list.surface.sites;
+    return {assembled_cells(std::move(list), files.front().path), std::move(sites)};
 }
 
 bool holds_same_boundary(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
@@ -109,14 +121,16 @@ SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double t
     const SpaceTile& tile = result.tile;
     result.proof = prove_polyhedra(tile.mesh, tolerance);
     if (tile.sites.cols() > 0) result.sites = prove_cell_sites(tile.mesh, tile.sites);
-    if (is_space_case(files)) compare_space_case(files, tile);
+    if (is_foam_of_polyhedra(files)) {
+        compare_files(files, encode_foam(foam_case(tile), foam_folder(files)), foam_fields);
+    }
     const std::string extension = lower_case_extension(files.front().path);
     if (extension == ".obj" || extension == ".ply") {
-        const SurfaceList list = surface_list(tile, SurfaceForm::kCells);
-        require_same_bytes(files, encode_again(list, files.front().path));
+        SurfaceList list = surface_list(tile.mesh, tile.sites, SurfaceForm::kCells);
+        require_same_bytes(files, encode_again(std::move(list), files.front().path));
     }
     if (is_own_vtu(files.front())) {
-        require_same_bytes(files, encode_space_vtu(tile, files.front().path));
+        require_same_bytes(files, encode_vtu(vtu_grid(tile), files.front().path));
     }
     return result;
 }
@@ -124,7 +138,8 @@ SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double t
 BoundaryFileProof prove_boundary_files(const std::vector<EncodedFile>& files) {
     BoundaryFileProof result{.surface = decode_boundary(files.front()), .proof = {}};
     result.proof = prove_surface(result.surface);
-    require_same_bytes(files, encode_again(result.surface, files.front().path));
+    require_same_bytes(files,
+                       encode_again({SurfaceForm::kBoundary, result.surface}, files.front().path));
     return result;
 }
 

@@ -24,7 +24,7 @@ struct SpaceFileProof {
 /// and the names and colours of surfaces.
 ///
 /// Example usage:
-///     const SpaceFileProof proof = prove_space_files(encode_space_vtu(tile, "tile.vtu"));
+///     const SpaceFileProof proof = prove_space_files(encode_vtu(vtu_grid(tile), "tile.vtu"));
 ///
 /// @pre space_file_kind(files) is kPolyhedra.
 /// @param tolerance  least_tolerance of prove_polyhedra().

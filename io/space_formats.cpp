@@ -2,26 +2,26 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "io/bytes/extension.hpp"
+#include "io/forms/space_surface.hpp"
+#include "io/gltf/glb_mesh_reader.hpp"
+#include "io/gltf/glb_mesh_writer.hpp"
+#include "io/graphics/obj_reader.hpp"
+#include "io/graphics/obj_writer.hpp"
+#include "io/graphics/om_reader.hpp"
+#include "io/graphics/om_writer.hpp"
+#include "io/graphics/ply_reader.hpp"
+#include "io/graphics/ply_writer.hpp"
+#include "io/openfoam/foam_polyhedra.hpp"
 #include "io/openfoam/foam_text.hpp"
+#include "io/openfoam/foam_writer.hpp"
 #include "io/pictures/space_picture.hpp"
-#include "io/space/space_foam_reader.hpp"
-#include "io/space/space_foam_writer.hpp"
-#include "io/space/space_msh_reader.hpp"
-#include "io/space/space_msh_writer.hpp"
-#include "io/space/space_vtu_reader.hpp"
-#include "io/space/space_vtu_writer.hpp"
-#include "io/space/tetrahedra_vtu_reader.hpp"
-#include "io/space/tetrahedra_vtu_writer.hpp"
-#include "io/surfaces/surface_glb_reader.hpp"
-#include "io/surfaces/surface_glb_writer.hpp"
-#include "io/surfaces/surface_obj_reader.hpp"
-#include "io/surfaces/surface_obj_writer.hpp"
-#include "io/surfaces/surface_om_reader.hpp"
-#include "io/surfaces/surface_om_writer.hpp"
-#include "io/surfaces/surface_ply_reader.hpp"
-#include "io/surfaces/surface_ply_writer.hpp"
+#include "io/solvers/msh_tetrahedra.hpp"
+#include "io/solvers/msh_writer.hpp"
+#include "io/solvers/vtu_volumes.hpp"
+#include "io/solvers/vtu_writer.hpp"
 
 namespace pcvt {
 namespace {
@@ -35,21 +35,36 @@ std::vector<EncodedFile> encode_volumes(const SpaceTile& tile, const SpaceFileOp
     return kEncode(tile, path);
 }
 
-template <auto kEncode>
-std::vector<EncodedFile> encode_surfaces(const SpaceTile& tile, const SpaceFileOptions& options,
-                                         const std::string& path) {
-    return kEncode(surface_list(tile, options.surfaces), path);
+std::vector<EncodedFile> encode_polyhedra(const SpaceTile& tile, const std::string& folder) {
+    return encode_foam(foam_case(tile), folder);
 }
 
-std::vector<EncodedFile> encode_om_boundary(const SpaceTile& tile, const SpaceFileOptions&,
-                                            const std::string& path) {
-    return encode_surface_om(tile_surface(tile.mesh, tile.sites), path);
+template <class Mesh>
+std::vector<EncodedFile> encode_grid(const Mesh& mesh, const std::string& path) {
+    return encode_vtu(vtu_grid(mesh), path);
+}
+
+std::vector<EncodedFile> encode_entities(const space::TetrahedralMesh& mesh,
+                                         const std::string& path) {
+    return encode_msh(entity_mesh(mesh), path);
+}
+
+template <auto kEncode, SeamForm kSeam>
+std::vector<EncodedFile> encode_surfaces(const SpaceTile& tile, const SpaceFileOptions& options,
+                                         const std::string& path) {
+    SurfaceList list = surface_list(tile.mesh, tile.sites, options.surfaces);
+    return kEncode(surface_mesh(std::move(list), kSeam), path);
+}
+
+std::vector<EncodedFile> encode_boundary(const SpaceTile& tile, const SpaceFileOptions&,
+                                         const std::string& path) {
+    return encode_om_boundary(tile_surface(tile.mesh, tile.sites), path);
 }
 
 using Kind = std::optional<SpaceFileKind>;
 
 Kind case_kind(const std::vector<EncodedFile>& files) {
-    return is_space_case(files) ? Kind(SpaceFileKind::kPolyhedra) : std::nullopt;
+    return is_foam_of_polyhedra(files) ? Kind(SpaceFileKind::kPolyhedra) : std::nullopt;
 }
 
 template <SpaceFileKind kKind, auto kHolds>
@@ -57,23 +72,16 @@ Kind kind_where(const std::vector<EncodedFile>& files) {
     return kHolds(files.front()) ? Kind(kKind) : std::nullopt;
 }
 
-SpaceFileKind kind_of(const SurfaceList& list) {
-    return list.form == SurfaceForm::kCells ? SpaceFileKind::kPolyhedra : SpaceFileKind::kBoundary;
-}
-
 Kind vtu_kind(const std::vector<EncodedFile>& files) {
-    if (holds_polyhedra(files.front())) return SpaceFileKind::kPolyhedra;
+    if (holds_vtu_polyhedra(files.front())) return SpaceFileKind::kPolyhedra;
     return holds_vtu_tetrahedra(files.front()) ? Kind(SpaceFileKind::kTetrahedra) : std::nullopt;
 }
 
-Kind obj_kind(const std::vector<EncodedFile>& files) {
-    if (!is_surface_obj(files.front())) return std::nullopt;
-    return kind_of(decode_surface_obj(files.front()));
-}
-
-Kind ply_kind(const std::vector<EncodedFile>& files) {
-    if (!is_surface_ply(files.front())) return std::nullopt;
-    return kind_of(decode_surface_ply(files.front()));
+template <auto kDecode>
+Kind surfaces_kind(const std::vector<EncodedFile>& files) {
+    if (!states_surfaces(files.front().bytes)) return std::nullopt;
+    const bool are_cells = kDecode(files.front()).form == SurfaceForm::kCells;
+    return are_cells ? SpaceFileKind::kPolyhedra : SpaceFileKind::kBoundary;
 }
 
 constexpr std::array kSpaceFormats{
@@ -82,18 +90,18 @@ constexpr std::array kSpaceFormats{
                 .surfaces = FormatSurfaces::kNone,
                 .memory = 11300,
                 .paths = itself,
-                .encode = encode_volumes<encode_space_vtu>,
-                .encode_tetrahedra = encode_tetrahedra_vtu,
+                .encode = encode_volumes<encode_grid<SpaceTile>>,
+                .encode_tetrahedra = encode_grid<space::TetrahedralMesh>,
                 .kind = vtu_kind,
-                .decode_tetrahedra = decode_tetrahedra_vtu,
-                .compare_tetrahedra = compare_tetrahedra_vtu,
+                .decode_tetrahedra = decode_vtu_tetrahedra,
+                .compare_tetrahedra = compare_vtu_tetrahedra,
                 .states_short_edges = true},
     SpaceFormat{.extension = ".foam",
                 .is_folder = true,
                 .surfaces = FormatSurfaces::kNone,
                 .memory = 6900,
-                .paths = space_foam_paths,
-                .encode = encode_volumes<encode_space_foam>,
+                .paths = foam_paths<FoamCells::kPolyhedra>,
+                .encode = encode_volumes<encode_polyhedra>,
                 .encode_tetrahedra = nullptr,
                 .kind = case_kind,
                 .states_short_edges = true,
@@ -104,43 +112,43 @@ constexpr std::array kSpaceFormats{
                 .memory = 7900,
                 .paths = itself,
                 .encode = nullptr,
-                .encode_tetrahedra = encode_space_msh,
-                .kind = kind_where<SpaceFileKind::kTetrahedra, holds_tetrahedra>,
-                .decode_tetrahedra = decode_space_msh,
-                .compare_tetrahedra = compare_space_msh},
+                .encode_tetrahedra = encode_entities,
+                .kind = kind_where<SpaceFileKind::kTetrahedra, holds_msh_tetrahedra>,
+                .decode_tetrahedra = decode_msh_tetrahedra,
+                .compare_tetrahedra = compare_msh_tetrahedra},
     SpaceFormat{.extension = ".obj",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kChosen,
                 .memory = 7000,
-                .paths = surface_obj_paths,
-                .encode = encode_surfaces<encode_surface_obj>,
+                .paths = obj_mesh_paths,
+                .encode = encode_surfaces<encode_obj_mesh, SeamForm::kLines>,
                 .encode_tetrahedra = nullptr,
-                .kind = obj_kind},
+                .kind = surfaces_kind<decode_obj_surfaces>},
     SpaceFormat{.extension = ".ply",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kChosen,
                 .memory = 8500,
                 .paths = itself,
-                .encode = encode_surfaces<encode_surface_ply>,
+                .encode = encode_surfaces<encode_ply_mesh, SeamForm::kColumns>,
                 .encode_tetrahedra = nullptr,
-                .kind = ply_kind},
+                .kind = surfaces_kind<decode_ply_surfaces>},
     SpaceFormat{.extension = ".glb",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kChosen,
                 .memory = 15200,
                 .paths = itself,
-                .encode = encode_surfaces<encode_surface_glb>,
+                .encode = encode_surfaces<encode_glb_mesh, SeamForm::kNone>,
                 .encode_tetrahedra = nullptr,
-                .kind = kind_where<SpaceFileKind::kTriangles, is_surface_glb>,
+                .kind = kind_where<SpaceFileKind::kTriangles, holds_glb_surfaces>,
                 .is_single_precision = true},
     SpaceFormat{.extension = ".om",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kBoundary,
                 .memory = 7000,
                 .paths = itself,
-                .encode = encode_om_boundary,
+                .encode = encode_boundary,
                 .encode_tetrahedra = nullptr,
-                .kind = kind_where<SpaceFileKind::kBoundary, is_surface_om>},
+                .kind = kind_where<SpaceFileKind::kBoundary, holds_om_boundary>},
     SpaceFormat{.extension = ".svg",
                 .is_folder = false,
                 .surfaces = FormatSurfaces::kNone,

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/space/space_tile.hpp"
-#include "io/surfaces/surface_list.hpp"
+#include "io/forms/space_tile.hpp"
+#include "io/forms/surface_list.hpp"
 #include "io/tiles/encoded_file.hpp"
 #include "mesher/space/mesh/tetrahedral_mesh.hpp"
 

@@ -8,6 +8,7 @@
 #include "io/bytes/extension.hpp"
 #include "io/cutting/dxf_writer.hpp"
 #include "io/cutting/svg_cut_writer.hpp"
+#include "io/forms/triangle_elements.hpp"
 #include "io/gltf/gltf_reader.hpp"
 #include "io/gltf/gltf_writer.hpp"
 #include "io/graphics/obj_reader.hpp"
@@ -20,7 +21,7 @@
 #include "io/mpas/mpas_reader.hpp"
 #include "io/mpas/mpas_writer.hpp"
 #include "io/openfoam/foam_fields.hpp"
-#include "io/openfoam/foam_reader.hpp"
+#include "io/openfoam/foam_layer.hpp"
 #include "io/openfoam/foam_text.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/page/html_writer.hpp"
@@ -152,18 +153,18 @@ std::vector<EncodedFile> write_svg(const plane::Tile& tile, const FileOptions& o
 
 std::vector<EncodedFile> write_msh(const plane::Tile& tile, const FileOptions& options,
                                    const std::string& path) {
-    return encode_msh(tile, path, options.materials, options.site_orbits);
+    require_triangles(tile.kind, path);
+    return encode_msh(entity_mesh(tile, options.materials, options.site_orbits), path);
 }
 
 std::vector<EncodedFile> write_vtu(const plane::Tile& tile, const FileOptions& options,
                                    const std::string& path) {
-    return encode_vtu(tile, path, options.site_orbits,
-                      options.materials == nullptr ? CellMaterials{} : *options.materials);
+    return encode_vtu(vtu_grid(tile, options.materials, options.site_orbits), path);
 }
 
 std::vector<EncodedFile> write_foam(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path) {
-    return encode_foam(tile, path, options.thickness, options.materials);
+    return encode_foam(foam_case(tile, options.thickness, options.materials), path);
 }
 
 constexpr std::array<TileFormat, 17> kTileFormats{{
@@ -267,10 +268,10 @@ constexpr std::array<TileFormat, 17> kTileFormats{{
     {.extension = ".foam",
      .description = "OpenFOAM, a case folder that icoFoam runs",
      .write = write_foam,
-     .read = decode_foam,
+     .read = decode_foam_layer,
      .fields = foam_fields,
      .holds_sites = false,
-     .paths = foam_paths,
+     .paths = foam_paths<FoamCells::kLayer>,
      .is_folder = true,
      .check = require_prisms,
      .check_path = require_foam_path,

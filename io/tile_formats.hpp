@@ -49,8 +49,6 @@ using VoxelWriter = std::vector<EncodedFile>(const plane::VoxelImage& image,
 
 using TileReader = TileFile(const std::vector<EncodedFile>& files,
                             const std::optional<plane::Lattice>& lattice);
-/// The fields of a file that follow from its tile; nothing for a file whose fields are a user's.
-using FieldReader = std::optional<FileFields>(const std::string& path, std::string_view text);
 using GridReader = MpasGrid(const std::vector<EncodedFile>& files);
 using VoxelReader = VoxelFile(const std::vector<EncodedFile>& files);
 /// Whether `files` read back as exactly these sites.

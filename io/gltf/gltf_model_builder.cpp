@@ -4,10 +4,25 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
+#include "io/gltf/gltf_container.hpp"
+#include "io/gltf/gltf_json.hpp"
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/base/error.hpp"
 
 namespace pcvt {
+namespace {
+
+/// tinygltf stores offsets as int.
+constexpr std::size_t kMostBytes = std::numeric_limits<int>::max();
+
+}  // namespace
+
+void require_gltf_size(std::size_t n_bytes, const std::string& path) {
+    if (n_bytes <= kMostBytes) return;
+    throw LimitExceeded(path + ": more than 2 GiB, too large for glTF; write another format");
+}
 
 ModelBuilder::ModelBuilder(std::size_t n_bytes) {
     model_.asset.generator = "pcvt";
@@ -73,6 +88,16 @@ void ModelBuilder::add_node(const std::string& name, std::vector<tinygltf::Primi
     tinygltf::Node& node = model_.nodes.emplace_back();
     node.name = name;
     node.mesh = static_cast<int>(model_.meshes.size()) - 1;
+}
+
+std::vector<EncodedFile> ModelBuilder::encode(const std::string& path, std::string_view periodic,
+                                              GltfContainer container) && {
+    const std::vector<unsigned char> buffer = std::move(model_.buffers[0].data);
+    require_gltf_size(buffer.size(), path);
+    const bool is_text = container == GltfContainer::kText;
+    std::string json = gltf_json(model_, periodic, buffer, is_text);
+    if (!is_text) return only_file(path, glb_bytes(json, buffer));
+    return only_file(path, std::move(json += '\n'));
 }
 
 int ModelBuilder::add_view(const void* data, std::size_t size, int target) {

@@ -4,12 +4,21 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/colours/palette.hpp"
 #include "io/gltf/gltf_surface.hpp"
+#include "io/tiles/encoded_file.hpp"
 
 namespace pcvt {
+
+/// The containers of glTF: `.gltf` with an embedded buffer, or binary `.glb`.
+enum class GltfContainer { kText, kBinary };
+
+/// Requires that a buffer of this size can be counted.
+/// @throws LimitExceeded naming the path.
+void require_gltf_size(std::size_t n_bytes, const std::string& path);
 
 /// Builds a glTF model; every returned number is an index into one of its tables.
 class ModelBuilder {
@@ -41,6 +50,12 @@ class ModelBuilder {
     void add_node(const std::string& name, std::vector<tinygltf::Primitive> primitives);
 
     tinygltf::Model& model() { return model_; }
+
+    /// Returns the file of the model, with its buffer, which is moved away.
+    /// @param periodic  the JSON of extras.periodic of the node `tile`.
+    /// @throws LimitExceeded  as require_gltf_size().
+    std::vector<EncodedFile> encode(const std::string& path, std::string_view periodic,
+                                    GltfContainer container) &&;
 
    private:
     int add_view(const void* data, std::size_t size, int target);

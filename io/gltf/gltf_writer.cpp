@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "io/bytes/json.hpp"
 #include "io/bytes/text.hpp"
 #include "io/colours/palette.hpp"
-#include "io/gltf/gltf_container.hpp"
-#include "io/gltf/gltf_json.hpp"
 #include "io/gltf/gltf_model_builder.hpp"
 #include "io/gltf/gltf_place.hpp"
 #include "io/gltf/gltf_surface.hpp"
@@ -24,8 +21,6 @@
 namespace pcvt {
 namespace {
 
-/// tinygltf stores offsets as int.
-constexpr std::size_t kMaxBytes = std::numeric_limits<int>::max();
 /// float32, the type of attributes, represents all integers up to here.
 constexpr SiteId kMaxFloatSite = 1 << 24;
 constexpr double kLift = 0.002;
@@ -238,12 +233,9 @@ std::string hole_edges(const plane::Tile& tile) {
     return text + ',';
 }
 
-enum class Container { kText, kBinary };
-
-/// A model without its buffer and its extras.
+/// A model, and its extras.
 struct ModelParts {
-    tinygltf::Model model;
-    std::vector<unsigned char> buffer;
+    ModelBuilder builder;
     std::string periodic;
 };
 
@@ -268,36 +260,31 @@ ModelParts make_model(const plane::Tile& tile, const FileOptions& options,
     add_surface(tile, surface, colours, builder);
     add_outlines(tile, surface, builder);
     const std::string notes = add_site_notes(tile, builder) + hole_edges(tile);
-    std::vector<unsigned char> buffer = std::move(builder.model().buffers[0].data);
-    if (buffer.size() > kMaxBytes) {
-        throw LimitExceeded(path + ": more than 2 GiB, too large for glTF; write another format");
-    }
-    return {std::move(builder.model()), std::move(buffer), periodic_json(tile, surface, notes)};
+    return {std::move(builder), periodic_json(tile, surface, notes)};
 }
 
 std::vector<EncodedFile> encode(const plane::Tile& tile, const FileOptions& options,
-                                const std::string& path, Container container) {
+                                const std::string& path, GltfContainer container) {
     require_finite(tile);
     const plane::Vec2 translation = gltf_translation(tile);
     const bool is_near = translation == plane::Vec2::Zero();
     ModelParts parts = make_model(is_near ? tile : moved_by(tile, -translation), options, path);
-    if (!is_near) parts.model.nodes[0].translation = {translation.x(), translation.y(), 0};
-    const bool is_text = container == Container::kText;
-    std::string json = gltf_json(parts.model, parts.periodic, parts.buffer, is_text);
-    if (!is_text) return only_file(path, glb_bytes(json, parts.buffer));
-    return only_file(path, std::move(json += '\n'));
+    if (!is_near) {
+        parts.builder.model().nodes[0].translation = {translation.x(), translation.y(), 0};
+    }
+    return std::move(parts.builder).encode(path, parts.periodic, container);
 }
 
 }  // namespace
 
 std::vector<EncodedFile> encode_gltf(const plane::Tile& tile, const FileOptions& options,
                                      const std::string& path) {
-    return encode(tile, options, path, Container::kText);
+    return encode(tile, options, path, GltfContainer::kText);
 }
 
 std::vector<EncodedFile> encode_glb(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path) {
-    return encode(tile, options, path, Container::kBinary);
+    return encode(tile, options, path, GltfContainer::kBinary);
 }
 
 }  // namespace pcvt

@@ -26,6 +26,8 @@ struct ObjAppearance {
     int other_index_line = 0;
     /// One per `usemtl`.
     std::vector<Material> materials = {};
+    /// The first face of each `g`.
+    std::vector<int> groups = {};
     /// One per `mtllib`.
     std::vector<std::string_view> libraries = {};
 };

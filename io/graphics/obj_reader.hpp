@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "io/forms/surface_list.hpp"
 #include "io/tiles/encoded_file.hpp"
 #include "io/tiles/tile_file.hpp"
 
@@ -24,5 +25,14 @@ namespace pcvt {
 /// @throws BadFile with the line.
 TileFile decode_obj(const std::vector<EncodedFile>& files,
                     const std::optional<plane::Lattice>& lattice);
+
+/// Reads the surfaces in space of an OBJ of encode_obj_mesh(), by the same rules. Groups are the
+/// cells. Colours and texture coordinates are not read.
+///
+/// Example usage:
+///     const SurfaceList list = decode_obj_surfaces({"tile.obj", read_whole_file("tile.obj")});
+///
+/// @throws BadFile naming the file, and the line of a statement.
+SurfaceList decode_obj_surfaces(const EncodedFile& obj);
 
 }  // namespace pcvt

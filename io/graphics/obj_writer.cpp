@@ -1,17 +1,17 @@
 #include "io/graphics/obj_writer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
-#include <initializer_list>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "io/bytes/extension.hpp"
 #include "io/bytes/text.hpp"
+#include "io/forms/plane_surface.hpp"
 #include "io/graphics/seam_json.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/site_notes.hpp"
-#include "io/tiles/site_orbits.hpp"
 #include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/plane/tile/texture_coordinates.hpp"
@@ -25,19 +25,9 @@ constexpr std::size_t kLongestInteger = 12;
 constexpr std::size_t kLongestNumber = 25;
 constexpr Colour kTriangleColour{0.8, 0.8, 0.8};
 
-constexpr const char* kExplanation =
-    "# A periodic tile, written by pcvt. Comments that begin with \"# pcvt\" hold its seam:\n"
-    "#   kind cells|triangles|grains\n"
-    "#   lattice ax ay bx by        the period vectors a and b\n"
-    "#   vertex_pair v w i j        vertex w lies at vertex v + i a + j b\n"
-    "#   edge_pair v0 v1 w0 w1 i j  boundary edge v0 v1 + i a + j b is boundary edge w0 w1\n"
-    "#   sites s ...                the site of each face (or vertex of triangles), in order\n";
-constexpr const char* kOrbitExplanation =
-    "#   site_orbits k ...          the orbit of site 0, 1, ... under the symmetry\n";
-
-template <class Number>
-void append_words(std::string& text, std::initializer_list<Number> numbers) {
-    for (const Number number : numbers) {
+template <class Numbers>
+void append_words(std::string& text, const Numbers& numbers) {
+    for (const auto number : numbers) {
         text += ' ';
         append_number(text, number);
     }
@@ -77,87 +67,96 @@ plane::Tile with_faces_in_order(const plane::Tile& tile, const std::vector<int>&
     return sorted;
 }
 
-void append_seam(std::string& text, const plane::Tile& tile) {
-    // Kind and lattice.
-    const plane::Vec2& a = tile.lattice.a();
-    const plane::Vec2& b = tile.lattice.b();
-    text += "# pcvt kind " + file_word(tile.kind) + "\n# pcvt lattice";
-    append_words(text, {a.x(), a.y(), b.x(), b.y()});
-    // Pairs, with vertices counted from 1.
-    for (const plane::VertexPair& p : tile.vertex_pairs) {
-        text += "# pcvt vertex_pair";
-        append_words(text, {p.v + 1, p.w + 1, p.offset.i, p.offset.j});
+/// Appends lines as comments.
+void append_comments(std::string& text, std::string_view lines) {
+    while (!lines.empty()) {
+        const std::size_t length = lines.find('\n') + 1;
+        (text += "# ") += lines.substr(0, length);
+        lines.remove_prefix(length);
     }
-    for (const plane::EdgePair& p : tile.edge_pairs) {
-        text += "# pcvt edge_pair";
-        append_words(text, {p.v0 + 1, p.v1 + 1, p.w0 + 1, p.w1 + 1, p.offset.i, p.offset.j});
-    }
-    // Sites, several per line.
-    const auto& sites = faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
-    for (std::size_t k = 0; k < sites.size(); ++k) {
-        if (k % kSitesALine == 0) text += k == 0 ? "# pcvt sites" : "\n# pcvt sites";
-        text += ' ';
-        append_number(text, sites[k]);
-    }
-    text += '\n';
-    append_note_comments(text, "# pcvt ", tile, 1);
 }
 
-std::string obj_text(const plane::Tile& tile, const TileColours& colours,
-                     const std::string& material_file, std::span<const int> site_orbits) {
-    const std::vector<int>& material = colours.class_of;
-    // Memory that is reserved and not used costs nothing, in contrast to a text that is moved.
-    std::string text;
-    text.reserve((5 * tile.points.size() + 2 * tile.site_points.size() + tile.site_weights.size()) *
-                     kLongestNumber +
-                 (2 * tile.faces.corners.size() + tile.faces.begin.size()) * kLongestInteger);
-    text += kExplanation;
-    append_note_meanings(text, "#   ");
-    if (!site_orbits.empty()) text += kOrbitExplanation;
-    text += "# Vertices count from 1, sites from 0.\n";
-    append_seam(text, tile);
-    append_site_orbits(text, "# pcvt ", site_orbits);
-    text += "mtllib " + material_file + "\n";
-    for (const plane::Vec2& p : tile.points) {
-        text += 'v';
-        append_words(text, {p.x(), p.y(), 0.0});
+/// The memory of the text, or more. Memory that is reserved and not used costs nothing, in contrast
+/// to a text that is moved.
+std::size_t most_bytes(const SurfaceMesh& mesh) {
+    std::size_t n_numbers = 3 * mesh.points.size() + 2 * mesh.texture.size();
+    for (const NoteTable& note : mesh.notes) {
+        n_numbers += std::visit([](const auto& numbers) { return numbers.size(); }, note.numbers);
     }
-    for (const auto& [u, v] : texture_coordinates(tile)) {
-        text += "vt";
-        append_words(text, {double(u), double(v)});
-    }
-    for (int f = 0; f < tile.n_faces(); ++f) {
+    return n_numbers * kLongestNumber +
+           (2 * mesh.faces.corners.size() + mesh.faces.begin.size()) * kLongestInteger;
+}
+
+void append_faces(std::string& text, const SurfaceMesh& mesh) {
+    const bool has_texture = !mesh.texture.empty();
+    std::size_t group = 0;
+    for (int f = 0; f < mesh.faces.n_faces(); ++f) {
         checkpoint_each(f);
-        if (f == 0 || material[f] != material[f - 1]) {
-            text += "usemtl " + colours.classes[material[f]].name + "\n";
+        const int material = mesh.face_class[f];
+        const bool begins = group < mesh.groups.size() && mesh.groups[group].first_face == f;
+        if (begins) text += "g " + mesh.groups[group++].name + "\n";
+        if (begins || f == 0 || material != mesh.face_class[f - 1]) {
+            text += "usemtl " + mesh.classes[material].name + "\n";
         }
         text += 'f';
-        for (const int v : tile.faces[f]) {
+        for (const int v : mesh.faces[f]) {
             text += ' ';
             append_number(text, v + 1);
+            if (!has_texture) continue;
             text += '/';
             append_number(text, v + 1);
         }
         text += '\n';
     }
+}
+
+std::string obj_text(const SurfaceMesh& mesh, const std::string& material_file) {
+    std::string text;
+    text.reserve(most_bytes(mesh));
+    append_comments(text, mesh.explanation);
+    text += "# pcvt kind " + mesh.kind + "\n";
+    for (const NoteTable& note : mesh.notes) append_note(text, "# pcvt ", note, 1);
+    text += "mtllib " + material_file + "\n";
+    for (const Eigen::Vector3d& p : mesh.points) {
+        text += 'v';
+        append_words(text, p);
+    }
+    for (const auto& [u, v] : mesh.texture) {
+        text += "vt";
+        append_words(text, std::array{double(u), double(v)});
+    }
+    append_faces(text, mesh);
     return text;
 }
 
-std::string mtl_text(const TileColours& colours) {
+std::string mtl_text(const SurfaceMesh& mesh) {
     std::string text = "# Materials of a periodic tile, written by pcvt\n";
-    for (const int k : std::set<int>(colours.class_of.begin(), colours.class_of.end())) {
-        const ColourClass& material = colours.classes[k];
+    for (const int k : std::set<int>(mesh.face_class.begin(), mesh.face_class.end())) {
+        const ColourClass& material = mesh.classes[k];
         text += "newmtl " + material.name + "\nKd";
-        append_words(text, {material.colour.r, material.colour.g, material.colour.b});
+        append_words(text, std::array{material.colour.r, material.colour.g, material.colour.b});
     }
     return text;
 }
 
 }  // namespace
 
+std::vector<std::string> obj_mesh_paths(const std::string& path) {
+    return {path, one_word_beside(path, ".mtl")};
+}
+
+std::vector<EncodedFile> encode_obj_mesh(const SurfaceMesh& mesh, const std::string& path) {
+    const std::vector<std::string> paths = obj_mesh_paths(path);
+    const std::string material_file = std::filesystem::path(paths[1]).filename().string();
+    std::vector<EncodedFile> files = only_file(paths[0], obj_text(mesh, material_file));
+    files.push_back({paths[1], mtl_text(mesh)});
+    return files;
+}
+
 std::vector<std::string> obj_paths(const std::string& path) {
-    return {path, one_word_beside(path, ".mtl"),
-            std::filesystem::path(path).replace_extension(".seam.json").string()};
+    std::vector<std::string> paths = obj_mesh_paths(path);
+    paths.push_back(std::filesystem::path(path).replace_extension(".seam.json").string());
+    return paths;
 }
 
 std::vector<EncodedFile> encode_obj(const plane::Tile& tile, const FileOptions& options,
@@ -171,12 +170,12 @@ std::vector<EncodedFile> encode_obj(const plane::Tile& tile, const FileOptions& 
                             [&](int f, int g) { return material[f] < material[g]; });
     const plane::Tile sorted = with_faces_in_order(tile, order);
     std::sort(material.begin(), material.end());
-    const std::vector<std::string> paths = obj_paths(path);
-    const std::string material_file = std::filesystem::path(paths[1]).filename().string();
-    std::vector<EncodedFile> files =
-        only_file(paths[0], obj_text(sorted, colours, material_file, options.site_orbits));
-    files.push_back({paths[1], mtl_text(colours)});
-    files.push_back({paths[2], encode_seam(sorted)});
+    SurfaceMesh mesh = surface_mesh(sorted, SeamForm::kLines, options.site_orbits);
+    mesh.texture = texture_coordinates(sorted);
+    mesh.classes = std::move(colours.classes);
+    mesh.face_class = std::move(material);
+    std::vector<EncodedFile> files = encode_obj_mesh(mesh, path);
+    files.push_back({obj_paths(path).back(), encode_seam(sorted)});
     return files;
 }
 

@@ -3,24 +3,37 @@
 #include <string>
 #include <vector>
 
+#include "io/forms/surface_mesh.hpp"
 #include "io/tiles/encoded_file.hpp"
 #include "io/tiles/file_options.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
-/// Returns the paths of NAME.obj, NAME.mtl and NAME.seam.json, in the order of encode_obj(). Blanks
-/// in the name of the .mtl become '_', because `mtllib` lists names with blanks between them.
+/// Returns the paths of NAME.obj and NAME.mtl, in the order of encode_obj_mesh(). Blanks in the
+/// name of the .mtl become '_', because `mtllib` lists names with blanks between them.
+std::vector<std::string> obj_mesh_paths(const std::string& path);
+
+/// Encodes polygons as Wavefront OBJ: groups, one material for each colour, and texture coordinate
+/// k of vertex k. Comments that begin with `# pcvt` hold kind and notes, with indices from 1; the
+/// comments above explain them.
+///
+/// Example usage:
+///     const auto files = encode_obj_mesh(surface_mesh(list, SeamForm::kLines), "tile.obj");
+///
+/// @throws InternalError if a coordinate is not finite.
+std::vector<EncodedFile> encode_obj_mesh(const SurfaceMesh& mesh, const std::string& path);
+
+/// Returns the paths of NAME.obj, NAME.mtl and NAME.seam.json, in the order of encode_obj().
 std::vector<std::string> obj_paths(const std::string& path);
 
-/// Encodes a tile as Wavefront OBJ: polygons with z = 0, one material for each colour, by default
-/// for each number of sides, and the seam twice, in comments that begin with `# pcvt` and in
-/// NAME.seam.json. The comments hold the positions of the sites too, where the tile knows them.
+/// Encodes a tile by encode_obj_mesh(), with z = 0, by default one material for each number of
+/// sides, and its seam twice, in the comments and in NAME.seam.json. The comments hold the
+/// positions of the sites too, where the tile knows them.
 ///
-/// Faces are grouped by material, in the order of TileColours, and keep their order within a group;
-/// vertices keep theirs. Vertex k has the texture coordinate k, its lattice coordinates
-/// (mesher/plane/tile/texture_coordinates.hpp). The comments count vertices from 1, as the faces
-/// do; the sidecar counts from 0.
+/// Faces are in the order of their materials, which is that of TileColours, and keep their order
+/// within one; vertices keep theirs. Texture coordinates are lattice coordinates
+/// (mesher/plane/tile/texture_coordinates.hpp). The sidecar counts vertices from 0.
 ///
 /// Example usage:
 ///     for (const EncodedFile& file : encode_obj(tile, {}, "tile.obj")) {

@@ -11,8 +11,20 @@
 namespace pcvt {
 namespace {
 
+/// Makes the lattice of the numbers that a mesh states: make(numbers).
+template <std::size_t kCount, class Make>
+auto lattice_of(const OmMesh& mesh, const Make& make) {
+    const std::vector<double> n = mesh.numbers("pcvt_lattice");
+    if (n.size() != kCount) mesh.throw_bad_file("has too little or too much pcvt_lattice");
+    try {
+        return make(n);
+    } catch (const InvalidInput& fault) {
+        mesh.throw_other_fault(fault);
+    }
+}
+
 /// Makes a tile of the mesh of a file.
-class OmParser : OmMesh {
+class OmParser : public OmMesh {
    public:
     OmParser(const std::string& name, std::string_view bytes) : OmMesh(name, bytes) {}
 
@@ -34,13 +46,9 @@ class OmParser : OmMesh {
 
    private:
     plane::Lattice lattice() const {
-        const std::vector<double> n = numbers("pcvt_lattice");
-        if (n.size() != 4) throw_bad_file("has too little or too much pcvt_lattice");
-        try {
-            return {plane::Vec2(n[0], n[1]), plane::Vec2(n[2], n[3])};
-        } catch (const InvalidInput& fault) {
-            throw_other_fault(fault);
-        }
+        return lattice_of<4>(*this, [](const std::vector<double>& n) {
+            return plane::Lattice({n[0], n[1]}, {n[2], n[3]});
+        });
     }
 
     void read_sites(plane::Tile& tile) const {
@@ -148,6 +156,32 @@ class OmParser : OmMesh {
 
 TileFile decode_om(const std::vector<EncodedFile>& files, const std::optional<plane::Lattice>&) {
     return OmParser(files.front().path, files.front().bytes).parse();
+}
+
+bool holds_om_boundary(const EncodedFile& file) {
+    return file.bytes.starts_with("OM") &&
+           file.bytes.find("pcvt_face_partner") != std::string::npos;
+}
+
+space::TileSurface decode_om_boundary(const EncodedFile& om) {
+    const OmMesh mesh(om.path, om.bytes);
+    space::TileSurface surface{
+        .lattice = lattice_of<9>(mesh, [](const std::vector<double>& n) {
+            return space::Lattice({n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]});
+        })};
+    for (const auto& [x, y, z] : mesh.points()) surface.points.emplace_back(x, y, z);
+    surface.faces = mesh.faces();
+    surface.cell = mesh.integers("pcvt_face_cell", 1, mesh.n_faces());
+    surface.partner = mesh.integers("pcvt_face_partner", 1, mesh.n_faces());
+    const std::vector<int> offsets = mesh.offsets("pcvt_face_offset", 3, mesh.n_faces());
+    for (std::size_t k = 0; k < offsets.size(); k += 3) {
+        surface.offset.push_back({offsets[k], offsets[k + 1], offsets[k + 2]});
+    }
+    const std::vector<double> sites = mesh.numbers("pcvt_sites");
+    if (sites.size() % 3 != 0) mesh.throw_bad_file("has too little or too much pcvt_sites");
+    surface.sites = Eigen::Map<const space::Points>(sites.data(), 3,
+                                                    static_cast<Eigen::Index>(sites.size() / 3));
+    return surface;
 }
 
 }  // namespace pcvt

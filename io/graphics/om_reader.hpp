@@ -5,6 +5,7 @@
 
 #include "io/tiles/encoded_file.hpp"
 #include "io/tiles/tile_file.hpp"
+#include "mesher/space/tile/tile_surface.hpp"
 
 namespace pcvt {
 
@@ -22,5 +23,12 @@ namespace pcvt {
 /// @throws BadFile naming the fault, also for an `.om` file without the identification.
 TileFile decode_om(const std::vector<EncodedFile>& files,
                    const std::optional<plane::Lattice>& lattice);
+
+/// Whether a file has the properties of an OpenMesh file of encode_om_boundary().
+bool holds_om_boundary(const EncodedFile& file);
+
+/// Reads a file of encode_om_boundary() with the same care.
+/// @throws BadFile naming the file.
+space::TileSurface decode_om_boundary(const EncodedFile& om);
 
 }  // namespace pcvt

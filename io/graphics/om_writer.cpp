@@ -3,6 +3,7 @@
 #include "io/graphics/om_encoder.hpp"
 #include "io/tiles/finite.hpp"
 #include "mesher/plane/tile/openmesh_tile.hpp"
+#include "mesher/space/tile/openmesh_surface.hpp"
 
 namespace pcvt {
 
@@ -11,6 +12,11 @@ std::vector<EncodedFile> encode_om(const plane::Tile& tile, const std::string& p
     return only_file(path,
                      std::visit([&](const auto& any) { return encode_om_mesh(any.mesh, path); },
                                 openmesh_tile(tile)));
+}
+
+std::vector<EncodedFile> encode_om_boundary(const space::TileSurface& surface,
+                                            const std::string& path) {
+    return only_file(path, encode_om_mesh(openmesh_surface(surface).mesh, path));
 }
 
 }  // namespace pcvt

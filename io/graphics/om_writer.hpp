@@ -5,6 +5,7 @@
 
 #include "io/tiles/encoded_file.hpp"
 #include "mesher/plane/tile/tile.hpp"
+#include "mesher/space/tile/tile_surface.hpp"
 
 namespace pcvt {
 
@@ -19,5 +20,11 @@ namespace pcvt {
 /// @throws InvalidInput  as openmesh_tile().
 /// @throws InternalError if a coordinate is not finite, or OpenMesh fails to write.
 std::vector<EncodedFile> encode_om(const plane::Tile& tile, const std::string& path);
+
+/// Encodes the boundary of a tile in space with the properties of OpenMeshSurface
+/// (mesher/space/tile/openmesh_surface.hpp).
+/// @throws InvalidInput if the boundary is no manifold.
+std::vector<EncodedFile> encode_om_boundary(const space::TileSurface& surface,
+                                            const std::string& path);
 
 }  // namespace pcvt

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+
+#include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
 namespace {
@@ -56,14 +59,11 @@ void check_format(const LineScanner& scanner) {
     }
 }
 
-void read_comment(const LineScanner& scanner, FileTileBuilder& file) {
-    const Words& words = scanner.words();
+void read_comment(const LineScanner& scanner, const NoteTaker& take_comment) {
+    const std::span<const std::string_view> words = scanner.words();
     if (words.size() < 3 || words[1] != "pcvt") return;
-    const Words values(words.begin() + 3, words.end());
     // Sites are no comments in a PLY.
-    const bool is_known =
-        !words[2].starts_with("site") && file.take_comment(scanner, words[2], values);
-    if (is_known) return;
+    if (!words[2].starts_with("site") && take_comment(scanner, words[2], words.subspan(3))) return;
     scanner.throw_bad_file("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
 }
 
@@ -123,10 +123,11 @@ const PlyProperty* PlyElement::find(std::string_view property) const {
     return found == properties.end() ? nullptr : &*found;
 }
 
-std::vector<PlyElement> read_ply_header(LineScanner& scanner, FileTileBuilder& file) {
+std::vector<PlyElement> read_ply_header(LineScanner& scanner, const std::string& name,
+                                        const NoteTaker& take_comment) {
     // The first line is "ply".
     if (!scanner.next() || scanner.words() != Words{"ply"}) {
-        throw BadFile(file.name + ": does not begin with the line \"ply\"; give a PLY file");
+        throw BadFile(name + ": does not begin with the line \"ply\"; give a PLY file");
     }
     // One declaration per line follows, up to end_header.
     bool has_format = false;
@@ -139,7 +140,7 @@ std::vector<PlyElement> read_ply_header(LineScanner& scanner, FileTileBuilder& f
             return elements;
         }
         if (key == "comment") {
-            read_comment(scanner, file);
+            read_comment(scanner, take_comment);
         } else if (key == "element") {
             read_element(scanner, elements);
         } else if (key == "property") {
@@ -151,7 +152,71 @@ std::vector<PlyElement> read_ply_header(LineScanner& scanner, FileTileBuilder& f
             scanner.throw_bad_file(in_quotes(key) + " is not a header keyword; remove the line");
         }
     }
-    throw BadFile(file.name + ": the header does not end; write \"end_header\" after it");
+    throw BadFile(name + ": the header does not end; write \"end_header\" after it");
+}
+
+void PlyValues::read(const LineScanner& scanner, const PlyElement& element) {
+    // Words are taken one by one.
+    std::size_t at = 0;
+    const auto next_word = [&] {
+        if (at == scanner.words().size()) {
+            scanner.throw_bad_file("the line is too short; correct it or the header");
+        }
+        return scanner.words()[at++];
+    };
+    const auto next_integer = [&](const PlyRange& range) {
+        const int number = scanner.integer(next_word());
+        if (number < range.least || number > range.most) {
+            scanner.throw_bad_file(std::to_string(number) +
+                                   " is beyond its declared type; correct it or the header");
+        }
+        return number;
+    };
+    // A list begins with its length.
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const PlyProperty& property = element.properties[p];
+        const int count = property.is_list ? next_integer(property.lengths) : 1;
+        std::vector<double>& numbers = of_[p].second;
+        numbers.clear();
+        for (int k = 0; k < count; ++k) {
+            numbers.push_back(property.is_real ? scanner.number(next_word())
+                                               : next_integer(property.values));
+        }
+    }
+    if (at != scanner.words().size()) {
+        scanner.throw_bad_file("the line is too long; correct it or the header");
+    }
+}
+
+const std::vector<double>& PlyValues::list(std::string_view name) const {
+    static const std::vector<double> none;
+    for (const auto& [key, values] : of_) {
+        if (key == name) return values;
+    }
+    return none;
+}
+
+void read_ply_rows(LineScanner& scanner, const std::string& name, const PlyElement& element,
+                   const std::function<void(const PlyValues&)>& take) {
+    PlyValues values(element);
+    for (int k = 0; k < element.count; ++k) {
+        checkpoint_each(k);
+        do {
+            if (!scanner.next()) {
+                throw BadFile(name + ": ends before its last " + in_quotes(element.name) +
+                              "; correct the counts or give the whole file");
+            }
+        } while (scanner.words().empty());
+        values.read(scanner, element);
+        take(values);
+    }
+}
+
+void require_ply_end(LineScanner& scanner) {
+    while (scanner.next()) {
+        if (scanner.words().empty()) continue;
+        scanner.throw_bad_file("the file has data after its last element; correct the counts");
+    }
 }
 
 }  // namespace pcvt

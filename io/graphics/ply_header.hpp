@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/file_tile_builder.hpp"
+#include "io/tiles/note_table.hpp"
 
 namespace pcvt {
 
@@ -39,10 +41,44 @@ struct PlyElement {
     const PlyProperty* find(std::string_view property) const;
 };
 
-/// Reads the header of an ASCII PLY up to `end_header`. The comments `pcvt kind`, `pcvt lattice`
-/// and those of the notes of the tile (site_notes.hpp) fill `file`.
+/// Reads the header of an ASCII PLY up to `end_header`.
+/// @param name  the file's name in messages.
+/// @param take_comment  takes the words behind `comment pcvt`.
 /// @returns the elements in the order of their declaration; names point into the scanner's text.
 /// @throws BadFile with the line, also for a binary PLY.
-std::vector<PlyElement> read_ply_header(LineScanner& scanner, FileTileBuilder& file);
+std::vector<PlyElement> read_ply_header(LineScanner& scanner, const std::string& name,
+                                        const NoteTaker& take_comment);
+
+/// The values of the current line by property: a number has one value, a list its items.
+class PlyValues {
+   public:
+    explicit PlyValues(const PlyElement& element) {
+        for (const PlyProperty& property : element.properties) of_.emplace_back(property.name, 0);
+    }
+
+    /// Reads the numbers of the current line as `element` declares them.
+    /// @throws BadFile with the line.
+    void read(const LineScanner& scanner, const PlyElement& element);
+
+    const std::vector<double>& list(std::string_view name) const;
+    /// Returns 0 where the element lacks the property.
+    double number(std::string_view name) const {
+        const std::vector<double>& values = list(name);
+        return values.empty() ? 0 : values.front();
+    }
+    int integer(std::string_view name) const { return static_cast<int>(number(name)); }
+
+   private:
+    std::vector<std::pair<std::string_view, std::vector<double>>> of_;
+};
+
+/// Reads the lines of an element and calls take(values) for each.
+/// @param name  the file's name in messages.
+/// @throws BadFile with the line, or if the file ends before.
+void read_ply_rows(LineScanner& scanner, const std::string& name, const PlyElement& element,
+                   const std::function<void(const PlyValues&)>& take);
+
+/// Requires that no data follow the last element.
+void require_ply_end(LineScanner& scanner);
 
 }  // namespace pcvt

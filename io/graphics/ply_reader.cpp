@@ -1,6 +1,7 @@
 #include "io/graphics/ply_reader.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "io/bytes/text.hpp"
@@ -10,76 +11,16 @@
 namespace pcvt {
 namespace {
 
-/// The values of the current line by property: a number has one value, a list its items.
-class PlyValues {
-   public:
-    explicit PlyValues(const PlyElement& element) {
-        for (const PlyProperty& property : element.properties) of_.emplace_back(property.name, 0);
-    }
-
-    /// Returns the values of property k, emptied for a new line.
-    std::vector<double>& renew(std::size_t k) {
-        of_[k].second.clear();
-        return of_[k].second;
-    }
-    const std::vector<double>& list(std::string_view name) const {
-        static const std::vector<double> none;
-        for (const auto& [key, values] : of_) {
-            if (key == name) return values;
-        }
-        return none;
-    }
-    /// Returns 0 where the element lacks the property.
-    double number(std::string_view name) const {
-        const std::vector<double>& values = list(name);
-        return values.empty() ? 0 : values.front();
-    }
-    int integer(std::string_view name) const { return static_cast<int>(number(name)); }
-
-   private:
-    std::vector<std::pair<std::string_view, std::vector<double>>> of_;
-};
-
-/// Reads the numbers of the current line as `element` declares them.
-void parse_values(const LineScanner& scanner, const PlyElement& element, PlyValues& values) {
-    // Words are taken one by one.
-    std::size_t at = 0;
-    const auto next_word = [&] {
-        if (at == scanner.words().size()) {
-            scanner.throw_bad_file("the line is too short; correct it or the header");
-        }
-        return scanner.words()[at++];
-    };
-    const auto next_integer = [&](const PlyRange& range) {
-        const int number = scanner.integer(next_word());
-        if (number < range.least || number > range.most) {
-            scanner.throw_bad_file(std::to_string(number) +
-                                   " is beyond its declared type; correct it or the header");
-        }
-        return number;
-    };
-    // A list begins with its length.
-    for (std::size_t p = 0; p < element.properties.size(); ++p) {
-        const PlyProperty& property = element.properties[p];
-        const int count = property.is_list ? next_integer(property.lengths) : 1;
-        std::vector<double>& numbers = values.renew(p);
-        for (int k = 0; k < count; ++k) {
-            numbers.push_back(property.is_real ? scanner.number(next_word())
-                                               : next_integer(property.values));
-        }
-    }
-    if (at != scanner.words().size()) {
-        scanner.throw_bad_file("the line is too long; correct it or the header");
-    }
-}
-
+constexpr const char* kOtherDeclaration =
+    " is not declared as pcvt declares it; write the file again with pcvt";
 constexpr const char* kColourTypes = ", uchar red, uchar green, uchar blue";
 
 class PlyParser {
    public:
     PlyParser(const std::string& name, std::string_view text)
         : scanner_(name, text), file_{.name = name, .index_base = 0, .notes = {.short_edges = 0}} {
-        elements_ = read_ply_header(scanner_, file_);
+        elements_ = read_ply_header(scanner_, name,
+                                    std::bind_front(&FileTileBuilder::take_comment, &file_));
         if (file_.kind) {
             require_own_elements();
         } else if (file_.lattice && has_element("site")) {
@@ -93,13 +34,10 @@ class PlyParser {
             if (element.name == "vertex") require_vertex(element);
             if (element.name == "face") require_face(element);
             if (has_positions(element)) require_site(element);
-            PlyValues values(element);
-            for (int k = 0; k < element.count; ++k) parse_element(element, values);
+            read_ply_rows(scanner_, file_.name, element,
+                          [&](const PlyValues& values) { take_row(element, values); });
         }
-        while (scanner_.next()) {
-            if (scanner_.words().empty()) continue;
-            scanner_.throw_bad_file("the file has data after its last element; correct the counts");
-        }
+        require_ply_end(scanner_);
         return std::move(file_);
     }
 
@@ -197,8 +135,7 @@ class PlyParser {
             }
             if (!wanted.empty() && (!is_new || (is_usual && wanted == declaration(element))))
                 continue;
-            throw BadFile(file_.name + ": element " + in_quotes(element.name) +
-                          " is not declared as pcvt declares it; write the file again with pcvt");
+            throw BadFile(file_.name + ": element " + in_quotes(element.name) + kOtherDeclaration);
         }
     }
 
@@ -223,14 +160,7 @@ class PlyParser {
         if (has_sites_) require(element, "site", Type::kInteger);
     }
 
-    void parse_element(const PlyElement& element, PlyValues& values) {
-        do {
-            if (!scanner_.next()) {
-                throw BadFile(file_.name + ": ends before its last " + in_quotes(element.name) +
-                              "; correct the counts or give the whole file");
-            }
-        } while (scanner_.words().empty());
-        parse_values(scanner_, element, values);
+    void take_row(const PlyElement& element, const PlyValues& values) {
         if (element.name == "vertex") add_vertex(values);
         if (element.name == "face") add_face(values);
         if (has_positions(element)) add_site(element, values);
@@ -292,6 +222,43 @@ TileFile decode_ply(const std::vector<EncodedFile>& files,
     PlyParser parser(files.front().path, files.front().bytes);
     FileTileBuilder file = parser.parse();
     return finish(std::move(file), lattice, parser.precision());
+}
+
+SurfaceList decode_ply_surfaces(const EncodedFile& ply) {
+    LineScanner scanner(ply.path, ply.bytes);
+    SurfaceListBuilder builder;
+    const std::vector<PlyElement> elements = read_ply_header(
+        scanner, ply.path, std::bind_front(&SurfaceListBuilder::take_comment, &builder));
+    refuse_binary(ply.path, ply.bytes, "give an ASCII PLY");
+    space::TileSurface& surface = builder.list.surface;
+    const bool is_boundary = builder.list.form == SurfaceForm::kBoundary;
+    std::vector<space::Vec3> sites;
+    for (const PlyElement& element : elements) {
+        const bool has_reals = std::any_of(element.properties.begin(), element.properties.end(),
+                                           [](const PlyProperty& p) { return p.is_real; });
+        if (has_reals == (element.name == "face")) {
+            throw BadFile(ply.path + ": element " + in_quotes(element.name) + kOtherDeclaration);
+        }
+        read_ply_rows(scanner, ply.path, element, [&](const PlyValues& row) {
+            if (element.name != "face") {
+                (element.name == "site" ? sites : surface.points)
+                    .emplace_back(row.number("x"), row.number("y"), row.number("z"));
+                return;
+            }
+            for (const double v : row.list("vertex_indices")) {
+                surface.faces.corners.push_back(static_cast<int>(v));
+            }
+            surface.faces.close();
+            surface.cell.push_back(row.integer("cell"));
+            if (!is_boundary) return;
+            surface.partner.push_back(row.integer("partner"));
+            surface.offset.push_back(stated_offset(row.integer("offset_i"), row.integer("offset_j"),
+                                                   row.integer("offset_k"), ply.path));
+        });
+    }
+    surface.sites = Eigen::Map<const space::Points>(sites.empty() ? nullptr : sites.front().data(),
+                                                    3, static_cast<Eigen::Index>(sites.size()));
+    return std::move(builder).finish(ply.path);
 }
 
 }  // namespace pcvt

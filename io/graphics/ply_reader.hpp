@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "io/forms/surface_list.hpp"
 #include "io/tiles/encoded_file.hpp"
 #include "io/tiles/tile_file.hpp"
 
@@ -22,5 +23,14 @@ namespace pcvt {
 /// @throws BadFile with the line.
 TileFile decode_ply(const std::vector<EncodedFile>& files,
                     const std::optional<plane::Lattice>& lattice);
+
+/// Reads the surfaces in space of a PLY of encode_ply_mesh(), by the same rules. Colours are not
+/// read.
+///
+/// Example usage:
+///     const SurfaceList list = decode_ply_surfaces({"tile.ply", read_whole_file("tile.ply")});
+///
+/// @throws BadFile naming the file, and the line of an element.
+SurfaceList decode_ply_surfaces(const EncodedFile& ply);
 
 }  // namespace pcvt

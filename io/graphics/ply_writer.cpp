@@ -6,8 +6,8 @@
 
 #include "io/bytes/text.hpp"
 #include "io/colours/palette.hpp"
+#include "io/forms/plane_surface.hpp"
 #include "io/tiles/finite.hpp"
-#include "io/tiles/site_notes.hpp"
 #include "io/tiles/triangle_fan.hpp"
 #include "mesher/base/checkpoint.hpp"
 
@@ -32,156 +32,170 @@ std::string words(Colour colour) {
     return text;
 }
 
-/// Returns the colour of each class as words.
-std::vector<std::string> class_words(const TileColours& colours) {
-    std::vector<std::string> result;
-    for (const ColourClass& shown : colours.classes) result.push_back(words(shown.colour));
+void end_line(std::string& text) { text.back() = '\n'; }
+
+void append_real(std::string& text, double x, bool is_single) {
+    is_single ? append_word(text, static_cast<float>(x)) : append_word(text, x);
+}
+
+/// The notes that are properties of an element.
+std::vector<const NoteTable*> properties_of(const SurfaceMesh& mesh, NoteOf of) {
+    std::vector<const NoteTable*> result;
+    for (const NoteTable& note : mesh.notes) {
+        if (note.of == of && !note.columns.empty()) result.push_back(&note);
+    }
     return result;
 }
 
-void end_line(std::string& text) { text.back() = '\n'; }
+/// Appends a declaration for each name in `names`, which blanks separate.
+void declare(std::string& text, std::string_view type, std::string_view names) {
+    while (!names.empty()) {
+        const std::size_t length = std::min(names.find(' '), names.size());
+        (((text += "property ") += type) += ' ') += names.substr(0, length);
+        text += '\n';
+        names.remove_prefix(std::min(length + 1, names.size()));
+    }
+}
 
-/// @param notes  of the tile and of its sites.
-std::string header(const plane::Tile& tile, const std::vector<StatedNote>& notes,
-                   bool single_precision) {
-    // Kind and lattice are comments.
-    const bool owned = faces_have_sites(tile.kind);
-    const plane::Vec2& a = tile.lattice.a();
-    const plane::Vec2& b = tile.lattice.b();
-    std::string text =
-        "ply\nformat ascii 1.0\ncomment A periodic tile, written by pcvt\n"
-        "comment position = position(orbit) + offset_i a + offset_j b, lattice ax ay bx by\n"
-        "comment pcvt kind " +
-        file_word(tile.kind) + "\ncomment pcvt lattice ";
-    for (const double number : {a.x(), a.y(), b.x(), b.y()}) append_word(text, number);
-    end_line(text);
-    append_tile_notes(text, "comment pcvt ", notes);
-    append_hole_comments(text, "comment pcvt ", tile, 0);
-    // Vertices have a position, a colour and their place on their orbit.
-    text += "element vertex " + std::to_string(tile.n_vertices()) +
-            (single_precision ? "\nproperty float x\nproperty float y\nproperty float z\n"
-                              : "\nproperty double x\nproperty double y\nproperty double z\n") +
-            "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-            "property int orbit\nproperty int offset_i\nproperty int offset_j\n";
-    if (!owned) text += "property int site\n";
+void declare_rows(std::string& text, const SurfaceMesh& mesh, NoteOf of,
+                  const std::vector<int>& class_of) {
+    if (!class_of.empty()) declare(text, "uchar", "red green blue");
+    for (const NoteTable* note : properties_of(mesh, of)) declare(text, "int", note->columns);
+}
+
+std::string header(const SurfaceMesh& mesh) {
+    std::string text = "ply\nformat ascii 1.0\n";
+    for (std::string_view rest = mesh.explanation; !rest.empty();) {
+        const std::size_t length = rest.find('\n') + 1;
+        (text += "comment ") += rest.substr(0, length);
+        rest.remove_prefix(length);
+    }
+    text += "comment pcvt kind " + mesh.kind + '\n';
+    for (const NoteTable& note : mesh.notes) {
+        if (note.of == NoteOf::kMesh) append_note(text, "comment pcvt ", note, 0);
+    }
+    const char* const real = mesh.is_single ? "float" : "double";
+    text += "element vertex " + std::to_string(mesh.points.size()) + '\n';
+    declare(text, real, "x y z");
+    declare_rows(text, mesh, NoteOf::kVertices, mesh.vertex_class);
     // Faces are lists, with a length as narrow as the largest face permits.
     int most_corners = 0;
-    for (int f = 0; f < tile.n_faces(); ++f)
-        most_corners = std::max(most_corners, tile.face_size(f));
-    text += "element face " + std::to_string(tile.n_faces()) + "\nproperty list ";
-    text += most_corners <= kMostByUchar ? "uchar" : "int";
-    text += " int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
-    if (owned) text += "property int site\n";
-    // Sites have a position, and perhaps a weight.
-    const SiteRows sites = site_rows(notes);
-    if (sites.n_sites() > 0) {
-        text += "element site " + std::to_string(sites.n_sites()) + '\n';
-        const std::vector<std::string_view> parts = site_parts();
-        for (std::size_t k = 0; k < sites.width; ++k) {
-            text += single_precision ? "property float " : "property double ";
-            (text += parts[k]) += '\n';
-        }
+    for (int f = 0; f < mesh.faces.n_faces(); ++f) {
+        most_corners = std::max(most_corners, mesh.faces.size(f));
+    }
+    text += "element face " + std::to_string(mesh.faces.n_faces()) + '\n';
+    declare(text, most_corners <= kMostByUchar ? "list uchar int" : "list int int",
+            "vertex_indices");
+    declare_rows(text, mesh, NoteOf::kFaces, mesh.face_class);
+    for (const NoteTable* sites : properties_of(mesh, NoteOf::kSites)) {
+        text += "element site " + std::to_string(sites->reals().size() / sites->width) + '\n';
+        declare(text, real, sites->columns);
     }
     return text + "end_header\n";
 }
 
-void append_real(std::string& text, double x, bool single_precision) {
-    single_precision ? append_word(text, static_cast<float>(x)) : append_word(text, x);
-}
-
-void append_coordinates(std::string& text, const plane::Vec2& p, bool single_precision) {
-    for (const double x : p) append_real(text, x, single_precision);
-}
-
-void append_vertices(std::string& text, const plane::Tile& tile, const TileColours& colours,
-                     bool single_precision) {
-    const bool owned = faces_have_sites(tile.kind);
-    // Delaunay triangles have coloured vertices.
-    const std::string plain = words(kPlain);
-    const std::vector<std::string> coloured = class_words(colours);
-    // A vertex without a pair is its own representative.
-    std::vector<plane::VertexPair> orbits;
-    orbits.reserve(tile.points.size());
-    for (int v = 0; v < tile.n_vertices(); ++v) orbits.push_back({v, v, {}});
-    for (const plane::VertexPair& pair : tile.vertex_pairs) orbits[pair.w] = pair;
-    // One vertex per line.
-    for (int v = 0; v < tile.n_vertices(); ++v) {
-        checkpoint_each(v);
-        append_coordinates(text, tile.points[v], single_precision);
-        append_word(text, 0);
-        text += owned ? plain : coloured[colours.class_of[v]];
-        append_word(text, orbits[v].v);
-        append_word(text, orbits[v].offset.i);
-        append_word(text, orbits[v].offset.j);
-        if (!owned) append_word(text, tile.vertex_site[v]);
-        end_line(text);
-    }
-}
-
-void append_faces(std::string& text, const plane::Tile& tile, const TileColours& colours) {
-    const bool owned = faces_have_sites(tile.kind);
-    const std::string plain = words(kPlain);
-    const std::vector<std::string> coloured = class_words(colours);
-    for (int f = 0; f < tile.n_faces(); ++f) {
-        checkpoint_each(f);
-        append_word(text, tile.face_size(f));
-        for (const int v : tile.faces[f]) {
-            append_word(text, v);
+/// Appends the ends of the lines of an element: its colour, and its properties.
+class RowEnds {
+   public:
+    RowEnds(const SurfaceMesh& mesh, NoteOf of, const std::vector<int>& class_of)
+        : class_of_(class_of) {
+        for (const ColourClass& shown : mesh.classes) colours_.push_back(words(shown.colour));
+        for (const NoteTable* note : properties_of(mesh, of)) {
+            columns_.push_back({note->integers().data(), std::max<std::size_t>(note->width, 1)});
         }
-        text += owned ? coloured[colours.class_of[f]] : plain;
-        if (owned) append_word(text, tile.face_site[f]);
+    }
+
+    void append(std::string& text, int row) const {
+        if (!class_of_.empty()) text += colours_[class_of_[row]];
+        for (const auto& [numbers, width] : columns_) {
+            const int* const begin = numbers + width * static_cast<std::size_t>(row);
+            for (std::size_t k = 0; k < width; ++k) append_word(text, begin[k]);
+        }
         end_line(text);
     }
-}
 
-std::string ply_text(const plane::Tile& tile, const TileColours& colours,
-                     const std::vector<StatedNote>& notes, bool single_precision) {
-    std::string text = header(tile, notes, single_precision);
-    append_vertices(text, tile, colours, single_precision);
-    append_faces(text, tile, colours);
-    const SiteRows sites = site_rows(notes);
-    for (std::size_t s = 0; s < sites.n_sites(); ++s) {
-        for (const double number : sites[s]) append_real(text, number, single_precision);
-        end_line(text);
+   private:
+    struct Columns {
+        const int* numbers;
+        std::size_t width;
+    };
+
+    const std::vector<int>& class_of_;
+    std::vector<std::string> colours_;
+    std::vector<Columns> columns_;
+};
+
+std::string ply_text(const SurfaceMesh& mesh) {
+    std::string text = header(mesh);
+    const RowEnds of_vertices(mesh, NoteOf::kVertices, mesh.vertex_class);
+    for (int v = 0; v < static_cast<int>(mesh.points.size()); ++v) {
+        checkpoint_each(v);
+        for (const double x : mesh.points[v]) append_real(text, x, mesh.is_single);
+        of_vertices.append(text, v);
+    }
+    const RowEnds of_faces(mesh, NoteOf::kFaces, mesh.face_class);
+    for (int f = 0; f < mesh.faces.n_faces(); ++f) {
+        checkpoint_each(f);
+        append_word(text, mesh.faces.size(f));
+        for (const int v : mesh.faces[f]) append_word(text, v);
+        of_faces.append(text, f);
+    }
+    for (const NoteTable* sites : properties_of(mesh, NoteOf::kSites)) {
+        const std::vector<double>& numbers = sites->reals();
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            append_real(text, numbers[k], mesh.is_single);
+            if ((k + 1) % sites->width == 0) end_line(text);
+        }
     }
     return text;
 }
 
-/// Returns the tile with its cells as triangles.
-/// @param class_of  the class of the colour of each face; changes with the faces.
-plane::Tile narrowed(const plane::Tile& tile, std::vector<int>& class_of, const std::string& path) {
+/// Makes the faces of cells triangles, each with the site and the colour of its cell.
+void split_cells(SurfaceMesh& mesh, const plane::Tile& tile, const std::string& path) {
     const std::vector<Point32> points = single_precision_points(tile, path);
-    if (tile.kind != plane::MeshKind::kVoronoi) return tile;
-    plane::Tile narrow = tile;
-    narrow.faces = {};
-    narrow.face_site.clear();
-    const std::vector<int> classes_of_cells = std::exchange(class_of, {});
-    std::vector<int> corners;
+    if (tile.kind != plane::MeshKind::kVoronoi) return;
+    std::vector<SiteId> sites;
+    mesh.faces = {};
+    std::vector<int>& corners = mesh.faces.corners;
+    const std::vector<int> class_of = std::exchange(mesh.face_class, {});
     for (int f = 0; f < tile.n_faces(); ++f) {
         checkpoint_each(f);
         const std::size_t begin = corners.size();
         append_fan(tile, f, f - 1, points, corners, path);
         for (std::size_t c = begin; c < corners.size(); c += 3) {
-            narrow.faces.add(std::span(corners).subspan(c, 3));
-            narrow.face_site.push_back(tile.face_site[f]);
-            class_of.push_back(classes_of_cells[f]);
+            mesh.faces.begin.push_back(static_cast<int>(c) + 3);
+            sites.push_back(tile.face_site[f]);
+            mesh.face_class.push_back(class_of[f]);
         }
     }
-    return narrow;
+    for (NoteTable& note : mesh.notes) {
+        if (note.of == NoteOf::kFaces) note.numbers = std::move(sites);
+    }
 }
 
 }  // namespace
+
+std::vector<EncodedFile> encode_ply_mesh(const SurfaceMesh& mesh, const std::string& path) {
+    return only_file(path, ply_text(mesh));
+}
 
 std::vector<EncodedFile> encode_ply(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path) {
     require_finite(tile);
     TileColours colours =
         tile_colours(tile, options.colouring.value_or(Colouring::kSides), options.quantities());
-    const bool single = options.single_precision;
-    const std::vector<StatedNote> notes = stated_notes(tile);
-    if (!single) return only_file(path, ply_text(tile, colours, notes, single));
-    const plane::Tile narrow = narrowed(tile, colours.class_of, path);
-    return only_file(path, ply_text(narrow, colours, notes, single));
+    SurfaceMesh mesh = surface_mesh(tile, SeamForm::kColumns);
+    // What bears no colours is plain.
+    const int plain = static_cast<int>(colours.classes.size());
+    colours.classes.push_back({.colour = kPlain, .name = {}, .label = {}});
+    mesh.classes = std::move(colours.classes);
+    mesh.vertex_class.assign(mesh.points.size(), plain);
+    mesh.face_class.assign(static_cast<std::size_t>(mesh.faces.n_faces()), plain);
+    (faces_have_sites(tile.kind) ? mesh.face_class : mesh.vertex_class) =
+        std::move(colours.class_of);
+    mesh.is_single = options.single_precision;
+    if (mesh.is_single) split_cells(mesh, tile, path);
+    return encode_ply_mesh(mesh, path);
 }
 
 }  // namespace pcvt

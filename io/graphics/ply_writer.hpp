@@ -3,15 +3,26 @@
 #include <string>
 #include <vector>
 
+#include "io/forms/surface_mesh.hpp"
 #include "io/tiles/encoded_file.hpp"
 #include "io/tiles/file_options.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
 
-/// Encodes a tile as ASCII PLY 1.0: double coordinates with z = 0, and polygons. Cells and grains
-/// have coloured faces, by the number of sides; Delaunay triangles have coloured vertices, by the
-/// valence. Indices count from 0.
+/// Encodes polygons as ASCII PLY 1.0. Kind and notes are comments that begin with `pcvt`; those
+/// with a row a point, a face or a site are properties of the elements `vertex`, `face` and `site`.
+/// Indices count from 0.
+///
+/// Example usage:
+///     const auto files = encode_ply_mesh(surface_mesh(list, SeamForm::kColumns), "tile.ply");
+///
+/// @throws InternalError if a coordinate is not finite.
+std::vector<EncodedFile> encode_ply_mesh(const SurfaceMesh& mesh, const std::string& path);
+
+/// Encodes a tile by encode_ply_mesh() with double coordinates and z = 0. Cells and grains have
+/// coloured faces, by the number of sides; Delaunay triangles have coloured vertices, by the
+/// valence.
 ///
 /// Comments hold the lattice and the kind. Each vertex stores its orbit, the smallest index of a
 /// vertex on it, and its offset: position = position(orbit) + offset_i a + offset_j b. `site` is a

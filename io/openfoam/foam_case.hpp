@@ -1,32 +1,47 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "mesher/cells/finite_volume_mesh.hpp"
 #include "mesher/finite_volume/cell_flow.hpp"
-#include "mesher/finite_volume/decaying_flow.hpp"
-#include "mesher/finite_volume/extruded_mesh.hpp"
 
 namespace pcvt {
 
-/// Return the files of an OpenFOAM case beside its mesh. A run takes `end` seconds, and
-/// `courant_rate`, 1 / second, times the length of its steps is the Courant number. icoFoam and
-/// pimpleFoam start from the velocity of `cells`, with the viscosity at which the flow falls to 1/e
-/// within its turn_time(); scalarTransportFoam carries the tracer, with the same diffusivity;
-/// potentialFoam starts from any velocity. On walls the velocity is 0, and p and T have no
-/// gradient. The largest Courant number of the first step is at most 0.5.
+/// The cells of a case: one layer of prisms over a tile of the plane, or polyhedra.
+enum class FoamCells { kLayer, kPolyhedra };
+
+/// Cells with a name.
+struct FoamZone {
+    std::string name;
+    std::vector<int> cells;
+};
+
+/// All that the files of an OpenFOAM case state, in the plane and in space: writers encode it, and
+/// tiles become one (foam_layer.hpp, foam_polyhedra.hpp).
 ///
 /// Example usage:
-///     const DecayingFlow flow(tile.lattice, tile.walls);
-///     const CellFlow cells = cell_flow(flow, tile, extruded);
-///     files.push_back({"tile.foam/system/controlDict", foam_control(flow.turn_time(),
-///     cells.courant_rate)}); files.push_back({"tile.foam/0/U", foam_velocity(cells, extruded)});
-std::string foam_control(double end, double courant_rate);
-std::string foam_schemes();
-std::string foam_solution();
-std::string foam_transport(const DecayingFlow& flow, const CellFlow& cells);
-std::string foam_turbulence();
-std::string foam_velocity(const CellFlow& cells, const ExtrudedMesh& extruded);
-std::string foam_pressure(const ExtrudedMesh& extruded);
-std::string foam_tracer(const CellFlow& cells, const ExtrudedMesh& extruded);
+///     const FoamCase foam = foam_case(tile);
+///     const std::vector<EncodedFile> files = encode_foam(foam, "tile.foam");
+struct FoamCase {
+    FoamCells cells;
+    FiniteVolumeMesh mesh;
+    CellFlow flow;
+    /// The comments in the boundary file, from foam_notes() on.
+    std::string notes;
+    /// Of layers.
+    std::vector<FoamZone> zones = {};
+};
+
+/// "seam_I_J", or "seam_I_J_K" for three periods: the form of the names of cyclic patches.
+std::string foam_seam_form(Eigen::Index n_periods);
+
+/// Returns the comment by which a case states its kind: "voronoi", "polyhedra", ...
+std::string foam_kind_note(std::string_view kind);
+
+/// Returns the first comments of a boundary file: its kind, and its periods, one a column.
+std::string foam_notes(std::string_view kind, const Eigen::MatrixXd& periods);
 
 }  // namespace pcvt

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "io/bytes/text.hpp"
 #include "io/tiles/encoded_file.hpp"
 #include "mesher/base/faces.hpp"
 
@@ -16,6 +20,20 @@ namespace pcvt {
 ///
 /// @throws BadFile if it is missing.
 const EncodedFile& foam_mesh_file(const std::vector<EncodedFile>& files, const std::string& name);
+
+/// Returns the boundary file of a case, all of whose files are text.
+/// @throws BadFile if it is missing, or a file is binary.
+const EncodedFile& foam_boundary(const std::vector<EncodedFile>& files);
+
+/// Returns the folder of a case: "tile.foam".
+/// @throws BadFile if it has no boundary file.
+std::string foam_folder(const std::vector<EncodedFile>& files);
+
+/// Takes the words of a comment `// pcvt KEY VALUES...`.
+using TakeNote = std::function<void(const LineScanner& scanner, std::string_view key,
+                                    std::span<const std::string_view> values)>;
+/// Calls take() for each such comment of the boundary file.
+void read_foam_notes(const EncodedFile& boundary, const TakeNote& take);
 
 /// Read the lists of a mesh.
 /// @throws BadFile  the file is not such a list in OpenFOAM's ASCII format.

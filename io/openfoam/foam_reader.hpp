@@ -1,28 +1,25 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "io/tiles/encoded_file.hpp"
-#include "io/tiles/tile_file.hpp"
+#include "mesher/cells/finite_volume_mesh.hpp"
 
 namespace pcvt {
 
-/// Reads the tile at the back of an OpenFOAM case that is one cell thick, with the edge pairs of
-/// its cyclic patches. Only files in constant/polyMesh are read, in any order within `files`.
+/// Reads the mesh of an OpenFOAM case. Only files in constant/polyMesh are read, in any order
+/// within `files`. Nothing is proved but that each cyclic patch has a name, an offset and a
+/// partner; n_cells is not set.
 ///
 /// Example usage:
-///     std::vector<EncodedFile> files;
-///     for (const std::string& path : foam_paths("tile.foam")) {
-///         files.push_back({path, read_whole_file(path)});
-///     }
-///     const TileFile file = decode_foam(files, std::nullopt);
+///     const FiniteVolumeMesh mesh = decode_foam_mesh(files, 2);
+///     require_face_order(mesh, "(2) of extruded meshes, faces");
 ///
-/// @param lattice  used if the boundary file lacks the comment `pcvt lattice`, because another
-///                 program wrote it.
-/// @throws BadFile  if a file is missing or is not in OpenFOAM's ASCII format.
-/// @throws NotATile if the mesh violates the laws of ExtrudedMesh.
-TileFile decode_foam(const std::vector<EncodedFile>& files,
-                     const std::optional<plane::Lattice>& lattice);
+/// @param n_periods  2 or 3: the numbers in the names of cyclic patches, and those of a separation
+///                   that may differ from 0.
+/// @throws BadFile  if a file is missing or is not in OpenFOAM's ASCII format, or a patch is
+/// neither
+///                  empty, a wall nor cyclic.
+FiniteVolumeMesh decode_foam_mesh(const std::vector<EncodedFile>& files, int n_periods);
 
 }  // namespace pcvt

@@ -33,9 +33,9 @@ std::string foam_field_head(const std::string& type, const std::string& field,
            std::to_string(n) + "\n(\n";
 }
 
-void append_foam_vector(std::string& text, std::initializer_list<double> numbers) {
+void append_foam_vector(std::string& text, const Eigen::Vector3d& vector) {
     char before = '(';
-    for (const double number : numbers) {
+    for (const double number : vector) {
         text += before;
         append_number(text, number);
         before = ' ';

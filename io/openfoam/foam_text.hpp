@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <initializer_list>
 #include <string>
 
@@ -29,7 +30,7 @@ std::string foam_field_head(const std::string& type, const std::string& field,
                             const std::string& dimensions, std::size_t n);
 
 /// Appends "(1 2 3)".
-void append_foam_vector(std::string& text, std::initializer_list<double> numbers);
+void append_foam_vector(std::string& text, const Eigen::Vector3d& vector);
 
 /// A name in a text, and the number that replaces it.
 struct FoamNumber {

@@ -1,58 +1,58 @@
 #include "io/openfoam/foam_writer.hpp"
 
+#include <cstring>
 #include <filesystem>
-#include <utility>
 
 #include "io/bytes/text.hpp"
-#include "io/openfoam/foam_case.hpp"
+#include "io/openfoam/foam_settings.hpp"
 #include "io/openfoam/foam_text.hpp"
-#include "io/tiles/finite.hpp"
-#include "io/tiles/material_words.hpp"
-#include "io/tiles/site_notes.hpp"
+#include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
 namespace {
 
-constexpr std::size_t kSitesALine = 16;
+std::string count_line(std::size_t n) { return std::to_string(n) + "\n(\n"; }
 
-/// ParaView and VTK open a case by an empty file NAME.foam in its folder.
-const char* const kMarker = "";
+/// Whether two points have the same digits in x and y.
+bool same_place(const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+    return std::memcmp(p.data(), q.data(), 2 * sizeof(double)) == 0;
+}
 
-std::string count_line(int n) { return std::to_string(n) + "\n(\n"; }
-
-std::string encode_points(const ExtrudedMesh& extruded) {
+std::string encode_points(const FoamCase& foam) {
+    const std::vector<Eigen::Vector3d>& points = foam.mesh.points;
     std::string text =
-        foam_header("vectorField", kMeshFolder, "points") + count_line(extruded.n_points());
-    // Write x and y once: the front repeats the back at another z.
-    std::string place;
-    std::vector<std::string::size_type> begin{0};
-    for (int v = 0; v < extruded.n_points() / 2; ++v) {
-        place += '(';
-        append_number(place, extruded.points[v].x());
-        place += ' ';
-        append_number(place, extruded.points[v].y());
-        place += ' ';
-        begin.push_back(place.size());
-    }
-    // Complete them with the z of the back and of the front.
-    for (const double z : {extruded.points.front().z(), extruded.points.back().z()}) {
-        std::string end;
-        append_number(end, z);
-        end += ")\n";
-        for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
-            text.append(place, begin[v], begin[v + 1] - begin[v]).append(end);
+        foam_header("vectorField", kMeshFolder, "points") + count_line(points.size());
+    // The front of a layer repeats x and y of the back, whose digits are copied.
+    const std::size_t half = points.size() / 2;
+    std::vector<std::pair<std::size_t, std::size_t>> places;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+        checkpoint_each(static_cast<long>(v));
+        text += '(';
+        const std::size_t begin = text.size();
+        if (v >= half && same_place(points[v - half], points[v])) {
+            text.append(text, places[v - half].first, places[v - half].second);
+        } else {
+            append_number(text, points[v].x());
+            text += ' ';
+            append_number(text, points[v].y());
+            text += ' ';
         }
+        if (v <= half) places.emplace_back(begin, text.size() - begin);
+        append_number(text, points[v].z());
+        text += ")\n";
     }
     return text + ")\n";
 }
 
-std::string encode_faces(const ExtrudedMesh& extruded) {
-    std::string text =
-        foam_header("faceList", kMeshFolder, "faces") + count_line(extruded.n_faces());
-    for (int f = 0; f < extruded.n_faces(); ++f) {
-        append_number(text, extruded.face_size(f));
+std::string encode_faces(const FoamCase& foam) {
+    const Faces& faces = foam.mesh.faces;
+    std::string text = foam_header("faceList", kMeshFolder, "faces") +
+                       count_line(static_cast<std::size_t>(faces.n_faces()));
+    for (int f = 0; f < faces.n_faces(); ++f) {
+        checkpoint_each(f);
+        append_number(text, faces.size(f));
         char before = '(';
-        for (const int v : extruded.faces[f]) {
+        for (const int v : faces[f]) {
             text += before;
             append_number(text, v);
             before = ' ';
@@ -62,144 +62,118 @@ std::string encode_faces(const ExtrudedMesh& extruded) {
     return text + ")\n";
 }
 
-std::string encode_labels(const ExtrudedMesh& extruded, const std::string& name,
-                          const std::vector<int>& cells) {
-    const std::string note = "nPoints:" + std::to_string(extruded.n_points()) +
-                             " nCells:" + std::to_string(extruded.patches.back().n_faces) +
-                             " nFaces:" + std::to_string(extruded.n_faces()) +
-                             " nInternalFaces:" + std::to_string(extruded.n_inner_faces());
-    std::string text = foam_header("labelList", kMeshFolder, name, note) +
-                       count_line(static_cast<int>(cells.size()));
-    for (const int cell : cells) {
-        append_number(text, cell);
+void append_labels(std::string& text, const std::vector<int>& labels) {
+    text += count_line(labels.size());
+    for (const int label : labels) {
+        append_number(text, label);
         text += '\n';
     }
-    return text + ")\n";
+    text += ")\n";
 }
 
-void append_patch(std::string& text, const ExtrudedMesh& extruded, const ExtrudedPatch& patch) {
-    text += "    " + patch.name + "\n    {\n        type            " +
-            (patch.wall          ? "wall"
-             : patch.partner < 0 ? "empty"
-                                 : "cyclic") +
+std::string encode_labels(const FiniteVolumeMesh& mesh, const std::string& name,
+                          const std::vector<int>& cells) {
+    std::string text = foam_header("labelList", kMeshFolder, name,
+                                   "nPoints:" + std::to_string(mesh.n_points()) +
+                                       " nCells:" + std::to_string(mesh.n_cells) +
+                                       " nFaces:" + std::to_string(mesh.n_faces()) +
+                                       " nInternalFaces:" + std::to_string(mesh.n_inner_faces()));
+    append_labels(text, cells);
+    return text;
+}
+
+std::string encode_owner(const FoamCase& foam) {
+    return encode_labels(foam.mesh, "owner", foam.mesh.owner);
+}
+
+std::string encode_neighbour(const FoamCase& foam) {
+    return encode_labels(foam.mesh, "neighbour", foam.mesh.neighbour);
+}
+
+void append_patch(std::string& text, const FiniteVolumeMesh& mesh, const FiniteVolumePatch& patch) {
+    text += "    " + patch.name + "\n    {\n        type            " + foam_word(patch.kind) +
             ";\n        nFaces          " + std::to_string(patch.n_faces) +
             ";\n        startFace       " + std::to_string(patch.first_face) + ";\n";
-    if (patch.partner >= 0) {
+    if (patch.kind == PatchKind::kCyclic) {
         text +=
             "        matchTolerance  1e-06;\n        transform       translational;\n"
             "        neighbourPatch  " +
-            extruded.patches[patch.partner].name + ";\n        separationVector ";
-        append_foam_vector(text, {patch.separation.x(), patch.separation.y(), 0});
+            mesh.patches[patch.partner].name + ";\n        separationVector ";
+        append_foam_vector(text, patch.separation);
         text += ";\n";
     }
     text += "    }\n";
 }
 
-/// Appends the site of each cell, or of each point of Delaunay triangles, as comments.
-void append_sites(std::string& text, const plane::Tile& tile) {
-    const std::vector<SiteId>& sites = tile.sites();
-    for (std::size_t k = 0; k < sites.size(); ++k) {
-        text += k % kSitesALine == 0 ? (k == 0 ? "// pcvt sites" : "\n// pcvt sites") : "";
-        text += ' ';
-        append_number(text, sites[k]);
-    }
-    if (!sites.empty()) text += '\n';
+std::string encode_boundary(const FoamCase& foam) {
+    const std::vector<FiniteVolumePatch>& patches = foam.mesh.patches;
+    std::string text = foam_header("polyBoundaryMesh", kMeshFolder, "boundary") + foam.notes +
+                       count_line(patches.size());
+    for (const FiniteVolumePatch& patch : patches) append_patch(text, foam.mesh, patch);
+    return text + ")\n";
 }
 
-/// The phases of the cells alone, which are all that a case states of materials.
-CellMaterials held_phases(const CellMaterials* materials) {
-    if (materials == nullptr) return {};
-    return {.phase_names = materials->phase_names, .site_phase = materials->site_phase};
-}
-
-/// Returns the zones of the cells, one for each phase.
-std::string encode_zones(const plane::Tile& tile, const CellMaterials& materials) {
-    std::vector<std::vector<int>> zones(materials.phase_names.size());
-    if (!zones.empty()) {
-        for (int f = 0; f < tile.n_faces(); ++f) {
-            zones[materials.site_phase[tile.face_site[f]]].push_back(f);
-        }
-    }
-    std::string text = foam_header("regIOobject", kMeshFolder, "cellZones") +
-                       count_line(static_cast<int>(zones.size()));
-    for (std::size_t p = 0; p < zones.size(); ++p) {
-        text += phase_group(materials.phase_names[p]) +
-                "\n{\n    type            cellZone;\n    cellLabels      List<label>\n" +
-                count_line(static_cast<int>(zones[p].size()));
-        for (const int cell : zones[p]) {
-            append_number(text, cell);
-            text += '\n';
-        }
-        text += ")\n;\n}\n";
+std::string encode_zones(const FoamCase& foam) {
+    std::string text =
+        foam_header("regIOobject", kMeshFolder, "cellZones") + count_line(foam.zones.size());
+    for (const FoamZone& zone : foam.zones) {
+        text += zone.name + "\n{\n    type            cellZone;\n    cellLabels      List<label>\n";
+        append_labels(text, zone.cells);
+        text += ";\n}\n";
     }
     return text + ")\n";
 }
 
-std::string encode_boundary(const plane::Tile& tile, const ExtrudedMesh& extruded,
-                            const CellMaterials& materials) {
-    std::string text = foam_header("polyBoundaryMesh", kMeshFolder, "boundary") +
-                       "// A periodic tile, written by pcvt: seam_I_J is answered at + I a + J b\n"
-                       "// pcvt kind " +
-                       file_word(extruded.kind) + "\n// pcvt lattice";
-    const plane::Vec2& a = extruded.lattice.a();
-    const plane::Vec2& b = extruded.lattice.b();
-    for (const double number : {a.x(), a.y(), b.x(), b.y()}) {
-        text += ' ';
-        append_number(text, number);
+/// ParaView and VTK open a case by an empty file NAME.foam in its folder.
+std::string encode_marker(const FoamCase&) { return ""; }
+
+/// A file of a case; the name "" is that of the folder.
+struct FoamFile {
+    const char* name;
+    std::string (*encode)(const FoamCase& foam);
+    bool is_of_layers = false;
+};
+
+constexpr FoamFile kFoamFiles[] = {{"constant/polyMesh/points", encode_points},
+                                   {"constant/polyMesh/faces", encode_faces},
+                                   {"constant/polyMesh/owner", encode_owner},
+                                   {"constant/polyMesh/neighbour", encode_neighbour},
+                                   {"constant/polyMesh/boundary", encode_boundary},
+                                   {"constant/polyMesh/cellZones", encode_zones, true},
+                                   {"constant/transportProperties", foam_transport},
+                                   {"constant/turbulenceProperties", foam_turbulence},
+                                   {"system/controlDict", foam_control},
+                                   {"system/fvSchemes", foam_schemes},
+                                   {"system/fvSolution", foam_solution},
+                                   {"0/U", foam_velocity},
+                                   {"0/p", foam_pressure},
+                                   {"0/T", foam_tracer, true},
+                                   {"", encode_marker}};
+
+/// Calls visit(file, path) for the files of a case.
+template <class Visit>
+void visit_files(const std::string& folder, FoamCells cells, const Visit& visit) {
+    const std::string marker = std::filesystem::path(folder).filename().string();
+    for (const FoamFile& file : kFoamFiles) {
+        if (file.is_of_layers && cells != FoamCells::kLayer) continue;
+        visit(file, folder + "/" + (*file.name == '\0' ? marker : file.name));
     }
-    text += '\n';
-    append_note_comments(text, "// pcvt ", tile, 0);
-    append_sites(text, tile);
-    append_materials(text, "// pcvt ", materials);
-    text += count_line(static_cast<int>(extruded.patches.size()));
-    for (const ExtrudedPatch& patch : extruded.patches) append_patch(text, extruded, patch);
-    return text + ")\n";
 }
 
 }  // namespace
 
-std::vector<std::string> foam_paths(const std::string& folder) {
+std::vector<std::string> foam_paths(const std::string& folder, FoamCells cells) {
     std::vector<std::string> paths;
-    for (const char* name :
-         {"constant/polyMesh/points", "constant/polyMesh/faces", "constant/polyMesh/owner",
-          "constant/polyMesh/neighbour", "constant/polyMesh/boundary",
-          "constant/polyMesh/cellZones", "constant/transportProperties",
-          "constant/turbulenceProperties", "system/controlDict", "system/fvSchemes",
-          "system/fvSolution", "0/U", "0/p", "0/T"}) {
-        paths.push_back(folder + "/" + name);
-    }
-    paths.push_back(folder + "/" + std::filesystem::path(folder).filename().string());
+    visit_files(folder, cells,
+                [&](const FoamFile&, const std::string& path) { paths.push_back(path); });
     return paths;
 }
 
-std::vector<EncodedFile> encode_foam(const plane::Tile& tile, const std::string& folder,
-                                     double thickness, const CellMaterials* materials) {
-    require_finite(tile);
-    const ExtrudedMesh extruded = extruded_mesh(tile, thickness);
-    const DecayingFlow flow(tile.lattice, tile.walls);
-    const CellFlow cells = cell_flow(flow, tile, extruded);
-    const CellMaterials phases = held_phases(materials);
-    // The contents have the order of foam_paths().
-    std::vector<std::string> contents = {encode_points(extruded),
-                                         encode_faces(extruded),
-                                         encode_labels(extruded, "owner", extruded.owner),
-                                         encode_labels(extruded, "neighbour", extruded.neighbour),
-                                         encode_boundary(tile, extruded, phases),
-                                         encode_zones(tile, phases),
-                                         foam_transport(flow, cells),
-                                         foam_turbulence(),
-                                         foam_control(flow.turn_time(), cells.courant_rate),
-                                         foam_schemes(),
-                                         foam_solution(),
-                                         foam_velocity(cells, extruded),
-                                         foam_pressure(extruded),
-                                         foam_tracer(cells, extruded),
-                                         kMarker};
-    const std::vector<std::string> paths = foam_paths(folder);
+std::vector<EncodedFile> encode_foam(const FoamCase& foam, const std::string& folder) {
     std::vector<EncodedFile> files;
-    for (std::size_t k = 0; k < paths.size(); ++k) {
-        files.push_back({paths[k], std::move(contents[k])});
-    }
+    visit_files(folder, foam.cells, [&](const FoamFile& file, const std::string& path) {
+        files.push_back({path, file.encode(foam)});
+    });
     return files;
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/colours/palette.hpp"
-#include "io/space/space_tile.hpp"
+#include "io/forms/space_tile.hpp"
 #include "io/tiles/encoded_file.hpp"
 #include "mesher/plane/geometry/lattice.hpp"
 

@@ -5,7 +5,7 @@
 #include <initializer_list>
 
 #include "io/bytes/text.hpp"
-#include "io/elements/fixed_width_numbers.hpp"
+#include "io/solvers/fixed_width_numbers.hpp"
 #include "io/solvers/inp_fields.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cells/orientations.hpp"

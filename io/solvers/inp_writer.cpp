@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
-#include "io/elements/fixed_width_numbers.hpp"
-#include "io/elements/seam_segments.hpp"
-#include "io/elements/solver_nodes.hpp"
-#include "io/elements/triangle_cells.hpp"
-#include "io/elements/triangle_elements.hpp"
+#include "io/forms/seam_segments.hpp"
+#include "io/forms/solver_nodes.hpp"
+#include "io/forms/triangle_cells.hpp"
+#include "io/forms/triangle_elements.hpp"
+#include "io/solvers/fixed_width_numbers.hpp"
 #include "io/solvers/inp_fields.hpp"
 #include "io/solvers/inp_sections.hpp"
 #include "io/tiles/finite.hpp"

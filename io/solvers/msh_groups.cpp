@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/bytes/msh_text.hpp"
+#include "io/bytes/text.hpp"
 #include "mesher/base/cancellable_sort.hpp"
 #include "mesher/cells/set_names.hpp"
 

@@ -8,6 +8,10 @@
 
 namespace pcvt {
 
+/// The dimensions of Gmsh's entities.
+inline constexpr int kMshCurves = 1;
+inline constexpr int kMshSurfaces = 2;
+
 /// Walks over the rows of an MSH file, which are its lines that are not blank.
 ///
 /// Example usage:

@@ -50,6 +50,35 @@ bool holds_names(std::string_view key) {
     return key == "FieldData/PhaseNames" || key == "FieldData/HoleNames";
 }
 
+/// "polygons (7), all triangles (5) or all quadratic triangles (22)"
+std::string in_words(std::initializer_list<ElementKind> kinds) {
+    std::string text;
+    for (const ElementKind& kind : kinds) {
+        const bool last = &kind + 1 == kinds.end();
+        const ElementType& type = element_type(kind);
+        if (!text.empty()) text += last ? " or all " : ", all ";
+        text += std::string(type.words) + " (" + std::to_string(type.vtk) + ")";
+    }
+    return text;
+}
+
+/// Requires that a cell has as many points as its type, and that these exist.
+void require_points(const VtuArrays& arrays, const ElementType& type, std::span<const int> points,
+                    int line) {
+    const auto wanted = static_cast<std::size_t>(type.n_nodes);
+    if (wanted == 0) return;
+    if (points.size() != wanted) {
+        arrays.scanner().throw_bad_file(
+            line, "a " + std::string(type.word) + " here has " + std::to_string(wanted) +
+                      " points, not " + std::to_string(points.size()) + "; correct the offsets");
+    }
+    for (const int v : points) {
+        if (v >= 0 && v < arrays.n_points()) continue;
+        arrays.scanner().throw_bad_file(
+            line, "point " + std::to_string(v) + " does not exist; correct the index");
+    }
+}
+
 /// Whether SECTION/NAME is an array that encode_vtu() writes.
 bool is_vtu_array(std::string_view key) {
     constexpr std::string_view kFieldData = "FieldData/";
@@ -157,6 +186,43 @@ void VtuArrays::add_value(std::string_view word, int line, VtuArray& array) cons
         scanner_.throw_bad_file(line, fault.what());
     }
     array.lines.push_back(line);
+}
+
+ElementList read_vtu_cells(const VtuArrays& arrays, std::initializer_list<ElementKind> kinds) {
+    const XmlScanner& scanner = arrays.scanner();
+    const VtuArray& corners = arrays.get("Cells/connectivity", -1, 1, true);
+    const VtuArray& ends = arrays.get("Cells/offsets", arrays.n_cells(), 1, true);
+    const VtuArray& types = arrays.get("Cells/types", arrays.n_cells(), 1, true);
+    ElementList cells;
+    // The offsets are the ends of the cells in the connectivity.
+    std::size_t begin = 0;
+    for (std::size_t c = 0; c < ends.size(); ++c) {
+        const auto end = static_cast<std::size_t>(std::max(ends.integer(c), 0));
+        if (end <= begin || end > corners.size()) {
+            scanner.throw_bad_file(ends.lines[c],
+                                   "the offsets do not rise within the connectivity; correct them");
+        }
+        const ElementType* const type = find_element_type(&ElementType::vtk, types.integer(c));
+        const bool is_wanted = type != nullptr && (c == 0 || type->kind == cells.kind) &&
+                               std::find(kinds.begin(), kinds.end(), type->kind) != kinds.end();
+        if (!is_wanted) {
+            const bool in_plane = element_type(*kinds.begin()).dimension == 2;
+            scanner.throw_bad_file(types.lines[c],
+                                   std::string(in_plane ? "the faces" : "the cells") +
+                                       " are not all " + in_words(kinds) + "; give such a grid");
+        }
+        cells.kind = type->kind;
+        const int line = corners.lines[begin];
+        for (; begin < end; ++begin) cells.nodes.corners.push_back(corners.integer(begin));
+        cells.nodes.close();
+        require_points(arrays, *type, cells.nodes[static_cast<int>(c)], line);
+    }
+    if (begin != corners.size()) {
+        scanner.throw_bad_file(corners.line,
+                               "the connectivity has entries after its last face; "
+                               "correct the offsets");
+    }
+    return cells;
 }
 
 std::optional<FileFields> vtu_fields(const std::string& name, std::string_view text) {

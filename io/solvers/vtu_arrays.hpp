@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <span>
@@ -8,6 +9,8 @@
 #include <vector>
 
 #include "io/bytes/xml_scanner.hpp"
+#include "io/forms/element_mesh.hpp"
+#include "io/forms/lattice_numbers.hpp"
 #include "io/tiles/file_fields.hpp"
 
 namespace pcvt {
@@ -65,6 +68,26 @@ class VtuArrays {
     int n_points_ = -1;
     int n_cells_ = -1;
 };
+
+/// Returns the cells of a grid, which must be of one of some kinds. Polygons and polyhedra may have
+/// any points.
+/// @throws BadFile  another kind, or cells of two kinds; a wrong number of points; a point that
+/// does
+///         not exist.
+ElementList read_vtu_cells(const VtuArrays& arrays, std::initializer_list<ElementKind> kinds);
+
+/// Returns the lattice of a file.
+/// @throws BadFile  there are not as many independent vectors as `Lattice` has.
+template <class Lattice>
+Lattice read_vtu_lattice(const VtuArrays& arrays) {
+    constexpr int kSize = Lattice::kDimension;
+    const VtuArray& periods = arrays.get("FieldData/PeriodicLattice", kSize, kSize, false);
+    try {
+        return lattice_from<Lattice>(periods.values);
+    } catch (const InvalidInput& fault) {
+        arrays.scanner().throw_bad_file(periods.line, fault.what());
+    }
+}
 
 /// Returns the fields of a VTU: the counts of its piece, and for each array that encode_vtu()
 /// writes its type, the numbers of its components and tuples, and its values. The positions of

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
-#include "io/bytes/vtk_text.hpp"
 #include "io/solvers/vtu_arrays.hpp"
 #include "io/tiles/file_tile_builder.hpp"
 #include "io/tiles/midside_nodes.hpp"
@@ -24,15 +23,16 @@ class VtuTile {
     FileTileBuilder make(const std::optional<plane::Lattice>& lattice, plane::Precision precision) {
         take_points();
         take_faces();
-        if (const VtuArray* periods = arrays_.find("FieldData/PeriodicLattice"))
-            take_lattice(*periods);
+        if (arrays_.find("FieldData/PeriodicLattice")) {
+            file_.lattice = read_vtu_lattice<plane::Lattice>(arrays_);
+        }
         if (arrays_.find("FieldData/SitePositions")) take_site_notes();
         if (arrays_.find("FieldData/HoleNames")) take_holes();
         if (arrays_.find("PointData/PeriodicPointIds")) take_orbits();
         take_kind_and_sites();
         if (!file_.sites.empty() && arrays_.find("CellData/Orbit")) take_site_orbits();
         if (!file_.sites.empty() && arrays_.find("FieldData/SitePhases")) take_phases();
-        if (type_ == kVtkQuadraticTriangle) remove_midside_nodes(file_, lattice, precision);
+        if (kind_ == ElementKind::kTriangle6) remove_midside_nodes(file_, lattice, precision);
         return std::move(file_);
     }
 
@@ -52,65 +52,14 @@ class VtuTile {
     }
 
     void take_faces() {
-        // The offsets are the ends of the faces in the connectivity.
-        const VtuArray& corners = arrays_.get("Cells/connectivity", -1, 1, true);
-        const VtuArray& ends = arrays_.get("Cells/offsets", arrays_.n_cells(), 1, true);
-        const VtuArray& types = arrays_.get("Cells/types", arrays_.n_cells(), 1, true);
-        std::size_t begin = 0;
-        for (std::size_t f = 0; f < ends.size(); ++f) {
-            const auto end = static_cast<std::size_t>(std::max(ends.integer(f), 0));
-            if (end <= begin || end > corners.size()) {
-                throw_bad_file(ends.lines[f],
-                               "the offsets do not rise within the connectivity; correct them");
-            }
-            // Add the face once its type and its points are known to be valid.
-            take_type(types.integer(f), types.lines[f]);
-            std::vector<int> face;
-            for (std::size_t c = begin; c < end; ++c) face.push_back(corners.integer(c));
-            require_nodes(face, corners.lines[begin]);
-            file_.add_face(face, corners.lines[begin]);
-            begin = end;
+        ElementList cells = read_vtu_cells(
+            arrays_, {ElementKind::kPolygon, ElementKind::kTriangle3, ElementKind::kTriangle6});
+        const std::vector<int>& lines = arrays_.find("Cells/connectivity")->lines;
+        for (int f = 0; f < cells.size(); ++f) {
+            file_.face_lines.push_back(lines[cells.nodes.begin[f]]);
         }
-        if (begin != corners.size()) {
-            throw_bad_file(corners.line,
-                           "the connectivity has entries after its last face; correct the offsets");
-        }
-    }
-
-    /// Requires one known type for all faces.
-    void take_type(int type, int line) {
-        const bool known =
-            type == kVtkPolygon || type == kVtkTriangle || type == kVtkQuadraticTriangle;
-        if (!known || type_.value_or(type) != type) {
-            throw_bad_file(line,
-                           "the faces are not all polygons (7), all triangles (5) or all quadratic "
-                           "triangles (22); give such a grid");
-        }
-        type_ = type;
-    }
-
-    void require_nodes(const std::vector<int>& face, int line) const {
-        if (type_ == kVtkPolygon) return;
-        const std::size_t wanted = type_ == kVtkTriangle ? 3 : 6;
-        if (face.size() != wanted) {
-            throw_bad_file(line, "a triangle here has " + std::to_string(wanted) + " points, not " +
-                                     std::to_string(face.size()) + "; correct the offsets");
-        }
-        for (const int v : face) {
-            if (v >= 0 && v < arrays_.n_points()) continue;
-            throw_bad_file(line,
-                           "point " + std::to_string(v) + " does not exist; correct the index");
-        }
-    }
-
-    void take_lattice(const VtuArray& array) {
-        arrays_.get("FieldData/PeriodicLattice", 2, 2, false);
-        const std::vector<double>& n = array.values;
-        try {
-            file_.lattice.emplace(plane::Vec2(n[0], n[1]), plane::Vec2(n[2], n[3]));
-        } catch (const InvalidInput& fault) {
-            throw_bad_file(array.line, fault.what());
-        }
+        kind_ = cells.kind;
+        file_.faces = std::move(cells.nodes);
     }
 
     void take_site_notes() {
@@ -172,9 +121,9 @@ class VtuTile {
     void take_kind_and_sites() {
         const bool of_points = arrays_.find("PointData/CellId") != nullptr;
         const bool of_faces = arrays_.find("CellData/CellId") != nullptr && !of_points;
-        file_.kind = type_ == kVtkPolygon        ? plane::MeshKind::kVoronoi
-                     : of_faces && file_.lattice ? plane::MeshKind::kGrains
-                                                 : plane::MeshKind::kDelaunay;
+        file_.kind = kind_ == ElementKind::kPolygon ? plane::MeshKind::kVoronoi
+                     : of_faces && file_.lattice    ? plane::MeshKind::kGrains
+                                                    : plane::MeshKind::kDelaunay;
         const bool owned = faces_have_sites(*file_.kind);
         const std::string key = owned ? "CellData/CellId" : "PointData/CellId";
         if (arrays_.find(key) == nullptr || !file_.lattice) return;
@@ -249,7 +198,7 @@ class VtuTile {
 
     const VtuArrays& arrays_;
     FileTileBuilder file_;
-    std::optional<int> type_;
+    ElementKind kind_ = ElementKind::kPolygon;
 };
 
 }  // namespace

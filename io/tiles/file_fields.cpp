@@ -55,4 +55,19 @@ void compare_fields(const FileFields& found, const FileFields& expected) {
     }
 }
 
+void compare_files(const std::vector<EncodedFile>& files, const std::vector<EncodedFile>& expected,
+                   FieldReader* fields) {
+    for (const EncodedFile& wanted : expected) {
+        const auto found = std::find_if(files.begin(), files.end(), [&](const EncodedFile& file) {
+            return file.path == wanted.path;
+        });
+        if (found == files.end() || found->bytes == wanted.bytes) continue;
+        const std::optional<FileFields> stated = fields(found->path, found->bytes);
+        if (!stated) continue;
+        // A note of the writer in a file that it writes without one belongs to no tile.
+        const FileFields none{.name = wanted.path, .parts = {}};
+        compare_fields(*stated, fields(wanted.path, wanted.bytes).value_or(none));
+    }
+}
+
 }  // namespace pcvt

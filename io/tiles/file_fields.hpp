@@ -1,9 +1,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "io/tiles/encoded_file.hpp"
 
 namespace pcvt {
 
@@ -32,5 +35,14 @@ struct FileFields {
 /// values.
 /// @throws BadFile  naming the first part that differs, its line and both words.
 void compare_fields(const FileFields& found, const FileFields& expected);
+
+/// The fields of a file that follow from its tile; nothing for a file whose fields are a user's.
+using FieldReader = std::optional<FileFields>(const std::string& path, std::string_view text);
+
+/// Compares the fields of files with those of the files that the writer gives for their tile, where
+/// the bytes of a path differ.
+/// @throws BadFile  as compare_fields().
+void compare_files(const std::vector<EncodedFile>& files, const std::vector<EncodedFile>& expected,
+                   FieldReader* fields);
 
 }  // namespace pcvt

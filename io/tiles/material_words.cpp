@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/tiles/site_orbits.hpp"
+#include "io/tiles/note_table.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cells/phase_fractions.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "io/bytes/char_set.hpp"
-#include "io/bytes/text.hpp"
+#include "io/tiles/note_table.hpp"
 #include "io/tiles/tile_file.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/plane/tile/site_positions.hpp"
@@ -21,7 +21,6 @@ constexpr std::size_t kMeaningColumn = 27;
 constexpr CharSet kNameLetters("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-");
 /// Above all indices of vertices.
 constexpr double kMostHoleVertices = 2147483647;
-constexpr std::size_t kHoleEdgesALine = 8;
 
 std::vector<double> periods(const plane::Tile& tile) {
     return {double(tile.columns), double(tile.rows)};
@@ -156,9 +155,47 @@ const std::array<SiteNote, 6>& rows() {
     return kRows;
 }
 
-void append_part(std::string& text, double number) {
-    text += ' ';
-    append_number(text, number);
+/// The numbers of each site, of one note after the other.
+NoteTable site_table(const std::vector<StatedNote>& stated) {
+    std::size_t n_sites = 0;
+    std::size_t width = 0;
+    std::string columns;
+    for (const auto& [note, numbers] : stated) {
+        if (!note->of_each_site) continue;
+        n_sites = numbers.size() / note->n_parts;
+        width += note->n_parts;
+        (columns += columns.empty() ? "" : " ") += note->parts;
+    }
+    std::vector<double> rows;
+    rows.reserve(n_sites * width);
+    for (std::size_t s = 0; s < n_sites; ++s) {
+        for (const auto& [note, numbers] : stated) {
+            if (!note->of_each_site) continue;
+            const auto first = numbers.begin() + std::ptrdiff_t(s * note->n_parts);
+            rows.insert(rows.end(), first, first + std::ptrdiff_t(note->n_parts));
+        }
+    }
+    return {.word = "site",
+            .columns = std::move(columns),
+            .of = NoteOf::kSites,
+            .width = width,
+            .numbers = std::move(rows)};
+}
+
+/// Adds a note a hole, the two vertices of each edge on it.
+void add_holes(const plane::Tile& tile, std::vector<NoteTable>& notes) {
+    const plane::WallEdge* before = nullptr;
+    for (const plane::WallEdge& edge : tile.wall_edges) {
+        if (!edge.wall.is_hole()) continue;
+        if (before == nullptr || before->wall != edge.wall) {
+            notes.push_back({.word = "hole " + wall_name(tile, edge.wall),
+                             .n_indices = kSitesALine,
+                             .numbers = std::vector<int>()});
+        }
+        auto& vertices = std::get<std::vector<int>>(notes.back().numbers);
+        vertices.insert(vertices.end(), {edge.v0, edge.v1});
+        before = &edge;
+    }
 }
 
 }  // namespace
@@ -230,64 +267,24 @@ std::vector<StatedNote> stated_notes(const plane::Tile& tile, bool of_arrays) {
     return stated;
 }
 
-SiteRows site_rows(const std::vector<StatedNote>& notes) {
-    SiteRows rows;
-    std::size_t n_sites = 0;
-    for (const auto& [note, numbers] : notes) {
-        if (!note->of_each_site) continue;
-        n_sites = numbers.size() / note->n_parts;
-        rows.width += note->n_parts;
+std::vector<NoteTable> note_tables(const plane::Tile& tile) {
+    std::vector<NoteTable> notes;
+    std::vector<StatedNote> stated = stated_notes(tile);
+    for (StatedNote& note : stated) {
+        if (note.note->of_each_site) continue;
+        notes.push_back({.word = std::string(note.note->comment),
+                         .width = note.note->n_parts,
+                         .numbers = std::move(note.numbers)});
     }
-    rows.numbers.reserve(n_sites * rows.width);
-    for (std::size_t s = 0; s < n_sites; ++s) {
-        for (const auto& [note, numbers] : notes) {
-            if (!note->of_each_site) continue;
-            const auto first = numbers.begin() + std::ptrdiff_t(s * note->n_parts);
-            rows.numbers.insert(rows.numbers.end(), first, first + std::ptrdiff_t(note->n_parts));
-        }
-    }
-    return rows;
-}
-
-void append_tile_notes(std::string& text, std::string_view mark,
-                       const std::vector<StatedNote>& notes) {
-    for (const auto& [note, numbers] : notes) {
-        if (note->of_each_site) continue;
-        (text += mark) += note->comment;
-        for (const double number : numbers) append_part(text, number);
-        text += '\n';
-    }
-}
-
-void append_hole_comments(std::string& text, std::string_view mark, const plane::Tile& tile,
-                          int index_base) {
-    std::size_t in_line = 0;
-    const plane::WallEdge* before = nullptr;
-    for (const plane::WallEdge& edge : tile.wall_edges) {
-        if (!edge.wall.is_hole()) continue;
-        if (before == nullptr || before->wall != edge.wall || in_line == kHoleEdgesALine) {
-            if (before != nullptr) text += '\n';
-            ((text += mark) += "hole ") += wall_name(tile, edge.wall);
-            in_line = 0;
-        }
-        for (const int v : {edge.v0, edge.v1}) append_part(text, v + index_base);
-        ++in_line;
-        before = &edge;
-    }
-    if (before != nullptr) text += '\n';
+    if (NoteTable sites = site_table(stated); !sites.reals().empty())
+        notes.push_back(std::move(sites));
+    add_holes(tile, notes);
+    return notes;
 }
 
 void append_note_comments(std::string& text, std::string_view mark, const plane::Tile& tile,
                           int index_base) {
-    const std::vector<StatedNote> notes = stated_notes(tile);
-    append_tile_notes(text, mark, notes);
-    const SiteRows sites = site_rows(notes);
-    for (std::size_t s = 0; s < sites.n_sites(); ++s) {
-        (text += mark) += "site";
-        for (const double number : sites[s]) append_part(text, number);
-        text += '\n';
-    }
-    append_hole_comments(text, mark, tile, index_base);
+    for (const NoteTable& note : note_tables(tile)) append_note(text, mark, note, index_base);
 }
 
 void append_note_meanings(std::string& text, std::string_view mark) {

@@ -9,6 +9,8 @@
 
 namespace pcvt {
 
+struct NoteTable;
+
 /// The notes that a file holds on the sites of its tile, by which the file alone proves its site
 /// ids.
 ///
@@ -91,29 +93,13 @@ struct StatedNote {
 /// @param of_arrays  whether SiteNote::always_in_arrays counts.
 std::vector<StatedNote> stated_notes(const plane::Tile& tile, bool of_arrays = false);
 
-/// The numbers of all sites, `width` of each: x, y, and perhaps the weight.
-struct SiteRows {
-    std::size_t width = 0;
-    std::vector<double> numbers = {};
+/// Returns the notes as tables: those of the tile, `site` with a row a site, and `hole NAME` for
+/// each hole, with the two vertices of each edge on it.
+std::vector<NoteTable> note_tables(const plane::Tile& tile);
 
-    std::size_t n_sites() const { return width == 0 ? 0 : numbers.size() / width; }
-    std::span<const double> operator[](std::size_t site) const {
-        return std::span(numbers).subspan(site * width, width);
-    }
-};
-SiteRows site_rows(const std::vector<StatedNote>& notes);
-
-/// Appends the notes of the tile as lines of text: `MARKmetric 3 30`.
-void append_tile_notes(std::string& text, std::string_view mark,
-                       const std::vector<StatedNote>& notes);
-
-/// Appends the edges of holes as lines of text, two vertices each: `MARKhole TAG v0 v1 v2 v3 ...`.
+/// Appends all notes as lines of text: `MARKmetric 3 30`, one `MARKsite x y weight` a site, and
+/// `MARKhole NAME v0 v1 v2 v3 ...`.
 /// @param index_base  the number of the first vertex.
-void append_hole_comments(std::string& text, std::string_view mark, const plane::Tile& tile,
-                          int index_base);
-
-/// Appends all notes as lines of text: `MARKmetric 3 30`, one `MARKsite x y weight` a site, and the
-/// edges of holes.
 void append_note_comments(std::string& text, std::string_view mark, const plane::Tile& tile,
                           int index_base);
 

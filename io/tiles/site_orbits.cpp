@@ -3,17 +3,16 @@
 #include <algorithm>
 
 #include "io/bytes/bad_file.hpp"
-#include "io/bytes/text.hpp"
+#include "io/tiles/note_table.hpp"
 
 namespace pcvt {
+
 void append_site_orbits(std::string& text, std::string_view mark,
                         std::span<const int> site_orbits) {
-    for (std::size_t s = 0; s < site_orbits.size(); ++s) {
-        if (s % kSitesALine == 0) ((text += s == 0 ? "" : "\n") += mark) += "site_orbits";
-        text += ' ';
-        append_number(text, site_orbits[s]);
-    }
-    if (!site_orbits.empty()) text += '\n';
+    append_note(text, mark,
+                {.word = "site_orbits",
+                 .numbers = std::vector<int>(site_orbits.begin(), site_orbits.end())},
+                0);
 }
 
 void require_site_orbits(const std::string& name, const std::vector<int>& site_orbits,

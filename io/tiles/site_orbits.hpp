@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -8,9 +7,6 @@
 #include <vector>
 
 namespace pcvt {
-
-/// Files of pcvt state at most this many numbers of sites on a line.
-inline constexpr std::size_t kSitesALine = 16;
 
 /// Appends the lines in which files of pcvt state the orbits of sites 0, 1, ... of one period under
 /// the symmetry of the run: `MARKsite_orbits K K ...`, several lines for many sites, none without

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "mesher/torus/walls.hpp"
-
 namespace pcvt {
 namespace {
 
@@ -67,12 +65,15 @@ bool completes(std::string_view rest, SetForm form, const std::vector<std::strin
     return false;
 }
 
-bool is_wall(std::string_view lower) {
-    return std::any_of(kWallSides.begin(), kWallSides.end(),
-                       [&](const WallSideRow& row) { return row.word == lower; });
-}
+bool is_wall(std::string_view lower) { return find_wall_side(lower) != nullptr; }
 
 }  // namespace
+
+std::string seam_name(std::span<const int> offset) {
+    std::string name(kSeamSet.substr(0, kSeamSet.size() - 1));
+    for (const int number : offset) name += "_" + std::to_string(number);
+    return name;
+}
 
 std::span<const SetName> set_names() { return kSetNames; }
 

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "mesher/torus/walls.hpp"
+
 namespace pcvt {
 
 // The names of the sets, groups, patches and zones in files, or their beginnings before numbers.
@@ -26,6 +28,21 @@ inline constexpr std::string_view kFrontPatch = "front";
 inline constexpr std::string_view kDomainSet = "domain";
 /// Of the surfaces of elements on a wall or a hole: behind its name.
 inline constexpr std::string_view kSidesSuffix = "_sides";
+
+/// Returns the name of the part of a boundary that an offset takes to its partners, in every
+/// format: "seam_1_0", in space "seam_0_-1_0".
+std::string seam_name(std::span<const int> offset);
+template <class Offset>
+requires requires(const Offset& offset) { offset.components(); }
+std::string seam_name(const Offset& offset) {
+    const auto numbers = offset.components();
+    return seam_name(std::span<const int>(numbers));
+}
+
+/// Returns the side of the domain with this name, "wall_left", or nullptr.
+constexpr const WallSideRow* find_wall_side(std::string_view name) {
+    return find_row(kWallSides, [name](const WallSideRow& row) { return row.word == name; });
+}
 
 /// The form of a name: a word; a word before a number; before numbers joined by _; before the name
 /// of a phase.

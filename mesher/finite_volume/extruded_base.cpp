@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
@@ -23,71 +22,7 @@ const char* const kWallPatches = "(4) of extruded meshes, walls";
 /// A stored translation must agree with the lattice up to this many ulps.
 constexpr double kTranslationUlps = 4;
 
-void require_indices(const ExtrudedMesh& extruded) {
-    // Check the points of the faces.
-    for (const int p : extruded.faces.corners) {
-        if (p >= 0 && p < extruded.n_points()) continue;
-        throw_violation(kOrder, "a face names point " + to_string(p) + "; there are " +
-                                    to_string(extruded.n_points()));
-    }
-    // Check the lengths of the lists.
-    const int last_cell = extruded.owner.empty()
-                              ? -1
-                              : *std::max_element(extruded.owner.begin(), extruded.owner.end());
-    if (last_cell >= extruded.n_faces()) {
-        throw_violation(kOrder, "cell " + to_string(last_cell) + " is named; there are only " +
-                                    to_string(extruded.n_faces()) + " faces");
-    }
-    const int n_cells = last_cell + 1;
-    if (extruded.faces.n_faces() != extruded.n_faces()) {
-        throw_violation(kOrder, "there are " + to_string(extruded.faces.n_faces()) + " faces and " +
-                                    to_string(extruded.n_faces()) + " owners");
-    }
-    if (extruded.n_inner_faces() > extruded.n_faces())
-        throw_violation(kOrder, "there are more neighbours than faces");
-    // Check the cells at each face.
-    for (int f = 0; f < extruded.n_faces(); ++f) {
-        checkpoint_each(f);
-        const int behind = extruded.owner[f];
-        const int before = f < extruded.n_inner_faces() ? extruded.neighbour[f] : n_cells - 1;
-        if (behind >= 0 && before >= 0 && before < n_cells) continue;
-        throw_violation(kOrder, "face " + to_string(f) + " refers to a cell that does not exist");
-    }
-}
-
-void require_runs(const ExtrudedMesh& extruded) {
-    int next = extruded.n_inner_faces();
-    for (const ExtrudedPatch& patch : extruded.patches) {
-        if (patch.first_face != next || patch.n_faces < 0 ||
-            patch.n_faces > extruded.n_faces() - next) {
-            throw_violation(kOrder, "patch " + patch.name + " begins with face " +
-                                        to_string(patch.first_face) + ", not " + to_string(next) +
-                                        ", or has faces that do not exist");
-        }
-        next += patch.n_faces;
-    }
-    if (next != extruded.n_faces()) {
-        throw_violation(kOrder, "the patches leave face " + to_string(next) + " out");
-    }
-}
-
-void require_inner_order(const ExtrudedMesh& extruded) {
-    for (int f = 0; f < extruded.n_inner_faces(); ++f) {
-        checkpoint_each(f);
-        if (extruded.owner[f] >= extruded.neighbour[f]) {
-            throw_violation(kOrder,
-                            "the owner of face " + to_string(f) + " is not below its neighbour");
-        }
-        if (f == 0 || std::tie(extruded.owner[f - 1], extruded.neighbour[f - 1]) <=
-                          std::tie(extruded.owner[f], extruded.neighbour[f])) {
-            continue;
-        }
-        throw_violation(kOrder,
-                        "face " + to_string(f) + " is out of order: sort by owner and neighbour");
-    }
-}
-
-void require_planes(const ExtrudedMesh& extruded) {
+void require_planes(const FiniteVolumeMesh& extruded) {
     const int above = extruded.n_points() / 2;
     if (above == 0 || extruded.n_points() % 2 != 0)
         throw_violation(kPlanes, "the number of points is odd or 0");
@@ -102,8 +37,8 @@ void require_planes(const ExtrudedMesh& extruded) {
     }
 }
 
-const ExtrudedPatch& patch_named(const ExtrudedMesh& extruded, std::string_view name) {
-    for (const ExtrudedPatch& patch : extruded.patches) {
+const FiniteVolumePatch& patch_named(const FiniteVolumeMesh& extruded, std::string_view name) {
+    for (const FiniteVolumePatch& patch : extruded.patches) {
         if (patch.name == name && patch.partner < 0) return patch;
     }
     throw_violation(kOrder, "there is no empty patch " + std::string(name));
@@ -119,7 +54,7 @@ bool stands_above(std::span<const int> lid, const std::vector<int>& face, int ab
 }
 
 /// Returns for each cell its one face in the patch, a lid of its prism.
-std::vector<int> lids(const ExtrudedMesh& extruded, const ExtrudedPatch& patch) {
+std::vector<int> lids(const FiniteVolumeMesh& extruded, const FiniteVolumePatch& patch) {
     std::vector<int> lid(static_cast<std::size_t>(patch.n_faces), -1);
     for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
         const int cell = extruded.owner[f];
@@ -132,12 +67,12 @@ std::vector<int> lids(const ExtrudedMesh& extruded, const ExtrudedPatch& patch) 
     return lid;
 }
 
-void read_faces(const ExtrudedMesh& extruded, plane::Tile& tile) {
+void read_faces(const FiniteVolumeMesh& extruded, plane::Tile& tile) {
     const int above = extruded.n_points() / 2;
     // Find the two lids of each cell.
     const std::vector<int> back = lids(extruded, patch_named(extruded, kBackPatch));
     const std::vector<int> front = lids(extruded, patch_named(extruded, kFrontPatch));
-    const int n_cells = *std::max_element(extruded.owner.begin(), extruded.owner.end()) + 1;
+    const int n_cells = last_cell(extruded) + 1;
     if (back.size() != front.size() || static_cast<int>(back.size()) != n_cells) {
         throw_violation(kOrder, "back and front have " + to_string(back.size()) + " and " +
                                     to_string(front.size()) + " faces for " + to_string(n_cells) +
@@ -169,9 +104,9 @@ struct Foot {
     bool from_v;
 };
 
-Foot foot_of(const ExtrudedMesh& extruded, int f) {
+Foot foot_of(const FiniteVolumeMesh& extruded, int f) {
     const int above = extruded.n_points() / 2;
-    if (extruded.face_size(f) == 4) {
+    if (extruded.faces.size(f) == 4) {
         std::array<int, 4> p{};
         std::copy_n(extruded.faces[f].begin(), 4, p.begin());
         if (p[0] < above && p[2] == p[1] + above && p[3] == p[0] + above) {
@@ -217,28 +152,31 @@ class CoveredSides {
     std::vector<bool> covered_;
 };
 
-void require_translation(const ExtrudedMesh& extruded, const ExtrudedPatch& patch) {
-    const plane::Vec2 translation = extruded.lattice.translation(patch.offset);
+void require_translation(const FiniteVolumePatch& patch, const plane::Lattice& lattice) {
+    const auto offset = patch.offset_as<plane::Offset>();
+    const plane::Vec2 translation = lattice.translation(offset);
     const double allowed = kTranslationUlps * std::numeric_limits<double>::epsilon() *
                            translation.cwiseAbs().maxCoeff();
-    if (patch.name != seam_name(patch.offset) || patch.offset == plane::Offset{} ||
-        !((patch.separation - translation).cwiseAbs().maxCoeff() <= allowed)) {
+    if (patch.name != seam_name(offset) || offset == plane::Offset{} ||
+        !((patch.separation.head<2>() - translation).cwiseAbs().maxCoeff() <= allowed)) {
         throw_violation(kSeams, "patch " + patch.name + " states a separation other than " +
-                                    offset_in_words(patch.offset));
+                                    offset_in_words(offset));
     }
 }
 
 /// Appends the edge pairs under a patch and its partner, seen from the patch with the positive
 /// offset.
-void read_seam(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, plane::Tile& tile) {
-    const ExtrudedPatch& partner = extruded.patches[patch.partner];
-    if (partner.partner != &patch - extruded.patches.data() || partner.offset != -patch.offset ||
-        partner.n_faces != patch.n_faces) {
+void read_seam(const FiniteVolumeMesh& extruded, const FiniteVolumePatch& patch,
+               plane::Tile& tile) {
+    const FiniteVolumePatch& partner = extruded.patches[patch.partner];
+    const auto offset = patch.offset_as<plane::Offset>();
+    if (partner.partner != &patch - extruded.patches.data() ||
+        partner.offset_as<plane::Offset>() != -offset || partner.n_faces != patch.n_faces) {
         throw_violation(
             kSeams, "patches " + patch.name + " and " + partner.name + " do not match each other");
     }
-    require_translation(extruded, patch);
-    if (patch.offset < plane::Offset{}) return;
+    require_translation(patch, tile.lattice);
+    if (offset < plane::Offset{}) return;
     for (int k = 0; k < patch.n_faces; ++k) {
         const Foot here = foot_of(extruded, patch.first_face + k);
         const Foot there = foot_of(extruded, partner.first_face + k);
@@ -248,45 +186,45 @@ void read_seam(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, plane::
                                         " do not begin at matching points");
         }
         tile.edge_pairs.push_back(
-            {.v0 = here.v, .v1 = here.w, .w0 = there.w, .w1 = there.v, .offset = patch.offset});
+            {.v0 = here.v, .v1 = here.w, .w0 = there.w, .w1 = there.v, .offset = offset});
     }
 }
 
-/// Appends the edges under a patch of a hole.
-void read_hole(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, plane::Tile& tile) {
-    if (*patch.wall != plane::WallId::hole(static_cast<int>(tile.holes.size())) ||
-        patch.partner >= 0) {
-        throw_violation(kWallPatches, "patch " + patch.name + " is not the next hole");
-    }
-    tile.holes.push_back(patch.name);
-    for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
-        const Foot foot = foot_of(extruded, f);
-        tile.wall_edges.push_back({*patch.wall, foot.v, foot.w});
-    }
-}
-
-/// Appends the edges under a patch of a wall, which lie there exactly.
-void read_wall(const ExtrudedMesh& extruded, const ExtrudedPatch& patch, plane::Tile& tile) {
-    if (patch.wall->is_hole()) {
-        read_hole(extruded, patch, tile);
-        return;
-    }
-    const WallSideRow& row = wall_side_row(patch.wall->side());
-    if (patch.name != row.word || patch.partner >= 0) {
-        throw_violation(kWallPatches, "patch " + patch.name + " is not the wall " + row.word);
-    }
+/// Requires that the edges under a patch of a side of the domain lie there exactly.
+void require_on_side(const FiniteVolumePatch& patch, const WallSideRow& row,
+                     const std::vector<Foot>& feet, const plane::Tile& tile) {
     if (!is_upright(tile.lattice)) {
         throw_violation(kWallPatches, "walls need the period vectors (width, 0) and (0, height)");
     }
     const double line = wall_line(row.side, tile.lattice);
-    for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
-        const Foot foot = foot_of(extruded, f);
-        if (tile.points[foot.v][row.axis] != line || tile.points[foot.w][row.axis] != line) {
-            throw_violation(kWallPatches,
-                            "face " + to_string(f) + " lies off its patch " + patch.name);
+    for (std::size_t k = 0; k < feet.size(); ++k) {
+        if (tile.points[feet[k].v][row.axis] == line && tile.points[feet[k].w][row.axis] == line) {
+            continue;
         }
-        tile.wall_edges.push_back({*patch.wall, foot.v, foot.w});
+        throw_violation(kWallPatches, "face " + to_string(patch.first_face + static_cast<int>(k)) +
+                                          " lies off its patch " + patch.name);
     }
+}
+
+/// Appends the edges under a patch of a wall. One with the name of a side of the domain lies there;
+/// any other one is a hole.
+void read_wall(const FiniteVolumeMesh& extruded, const FiniteVolumePatch& patch,
+               plane::Tile& tile) {
+    if (patch.partner >= 0) {
+        throw_violation(kWallPatches, "patch " + patch.name + " is a wall and has a partner");
+    }
+    std::vector<Foot> feet;
+    for (int f = patch.first_face; f < patch.end_face(); ++f) feet.push_back(foot_of(extruded, f));
+    const WallSideRow* const row = find_wall_side(patch.name);
+    if (row != nullptr) {
+        require_on_side(patch, *row, feet, tile);
+    } else {
+        tile.holes.push_back(patch.name);
+    }
+    const plane::WallId wall = row != nullptr
+                                   ? plane::WallId::side(row->side)
+                                   : plane::WallId::hole(static_cast<int>(tile.holes.size()) - 1);
+    for (const Foot& foot : feet) tile.wall_edges.push_back({wall, foot.v, foot.w});
 }
 
 /// Returns the walls on which edges lie, and sorts these.
@@ -308,14 +246,13 @@ Walls walls_of(plane::Tile& tile) {
 
 }  // namespace
 
-plane::Tile extruded_base(const ExtrudedMesh& extruded) {
+plane::Tile extruded_base(const FiniteVolumeMesh& extruded, const plane::Lattice& lattice,
+                          plane::MeshKind kind) {
     // Check indices, patches, order and planes.
-    require_indices(extruded);
-    require_runs(extruded);
-    require_inner_order(extruded);
+    require_face_order(extruded, kOrder);
     require_planes(extruded);
     // Read the faces of the tile.
-    plane::Tile tile{.lattice = extruded.lattice, .kind = extruded.kind};
+    plane::Tile tile{.lattice = lattice, .kind = kind};
     for (int v = 0; v < extruded.n_points() / 2; ++v)
         tile.points.emplace_back(extruded.points[v].head<2>());
     read_faces(extruded, tile);
@@ -327,13 +264,14 @@ plane::Tile extruded_base(const ExtrudedMesh& extruded) {
         sides.cover(extruded.owner[f], foot.v, foot.w, f);
         sides.cover(extruded.neighbour[f], foot.w, foot.v, f);
     }
-    for (const ExtrudedPatch& patch : extruded.patches) {
-        if (patch.partner < 0 && !patch.wall) continue;
-        for (int f = patch.first_face; f < patch.first_face + patch.n_faces; ++f) {
+    for (const FiniteVolumePatch& patch : extruded.patches) {
+        const bool is_wall = patch.kind == PatchKind::kWall;
+        if (patch.partner < 0 && !is_wall) continue;
+        for (int f = patch.first_face; f < patch.end_face(); ++f) {
             const Foot foot = foot_of(extruded, f);
             sides.cover(extruded.owner[f], foot.v, foot.w, f);
         }
-        if (patch.wall) {
+        if (is_wall) {
             read_wall(extruded, patch, tile);
         } else {
             read_seam(extruded, patch, tile);

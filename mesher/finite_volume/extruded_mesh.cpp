@@ -75,7 +75,7 @@ int face_beside(const std::vector<Side>& sides, int v, int w) {
 /// Appends faces to an extruded mesh that has its points already.
 class ExtrudedFaces {
    public:
-    explicit ExtrudedFaces(ExtrudedMesh& extruded)
+    explicit ExtrudedFaces(FiniteVolumeMesh& extruded)
         : mesh_(extruded), above_(extruded.n_points() / 2) {}
 
     /// Adds the upright face over v -> w; its normal points to the right of v -> w.
@@ -105,11 +105,11 @@ class ExtrudedFaces {
         mesh_.owner.push_back(owner);
     }
 
-    ExtrudedMesh& mesh_;
+    FiniteVolumeMesh& mesh_;
     int above_;
 };
 
-void add_points(const plane::Tile& tile, double thickness, ExtrudedMesh& extruded) {
+void add_points(const plane::Tile& tile, double thickness, FiniteVolumeMesh& extruded) {
     if (thickness == 0) thickness = std::sqrt(tile.lattice.area() / tile.n_faces());
     for (const double z : {0.0, thickness}) {
         for (const plane::Vec2& p : tile.points) extruded.points.emplace_back(p.x(), p.y(), z);
@@ -118,34 +118,25 @@ void add_points(const plane::Tile& tile, double thickness, ExtrudedMesh& extrude
 
 /// Adds the two patches of the pairs from `begin` to `end`, which share one offset.
 void add_seam(const std::vector<plane::EdgePair>& pairs, std::size_t begin, std::size_t end,
-              const std::vector<Side>& sides, ExtrudedMesh& extruded) {
+              const plane::Lattice& lattice, const std::vector<Side>& sides,
+              FiniteVolumeMesh& extruded) {
     const plane::Offset offset = pairs[begin].offset;
-    const plane::Vec2 translation = extruded.lattice.translation(offset);
-    const int n = static_cast<int>(end - begin);
-    const int patch = static_cast<int>(extruded.patches.size());
+    const plane::Vec2 translation = lattice.translation(offset);
+    add_seam_patches({offset.i, offset.j}, {translation.x(), translation.y(), 0},
+                     {-translation.x(), -translation.y(), 0}, static_cast<int>(end - begin),
+                     extruded);
     ExtrudedFaces faces(extruded);
-    extruded.patches.push_back({.name = seam_name(offset),
-                                .first_face = extruded.n_faces(),
-                                .n_faces = n,
-                                .partner = patch + 1,
-                                .offset = offset,
-                                .separation = translation});
     for (std::size_t k = begin; k < end; ++k) {
         faces.add_upright(pairs[k].v0, pairs[k].v1, face_beside(sides, pairs[k].v0, pairs[k].v1));
     }
-    extruded.patches.push_back({.name = seam_name(-offset),
-                                .first_face = extruded.n_faces(),
-                                .n_faces = n,
-                                .partner = patch,
-                                .offset = -offset,
-                                .separation = -translation});
     for (std::size_t k = begin; k < end; ++k) {
         faces.add_answering_upright(pairs[k].w1, pairs[k].w0,
                                     face_beside(sides, pairs[k].w1, pairs[k].w0));
     }
 }
 
-void add_seams(const plane::Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& extruded) {
+void add_seams(const plane::Tile& tile, const std::vector<Side>& sides,
+               FiniteVolumeMesh& extruded) {
     std::vector<plane::EdgePair> pairs;
     for (const plane::EdgePair& pair : tile.edge_pairs) {
         pairs.push_back(pair.offset < plane::Offset{} ? pair.reversed() : pair);
@@ -156,33 +147,33 @@ void add_seams(const plane::Tile& tile, const std::vector<Side>& sides, Extruded
     for (std::size_t begin = 0; begin < pairs.size();) {
         std::size_t end = begin;
         while (end < pairs.size() && pairs[end].offset == pairs[begin].offset) ++end;
-        add_seam(pairs, begin, end, sides, extruded);
+        add_seam(pairs, begin, end, tile.lattice, sides, extruded);
         begin = end;
     }
 }
 
 /// Adds one patch for each wall, whose edges follow each other in the tile.
-void add_walls(const plane::Tile& tile, const std::vector<Side>& sides, ExtrudedMesh& extruded) {
+void add_walls(const plane::Tile& tile, const std::vector<Side>& sides,
+               FiniteVolumeMesh& extruded) {
     ExtrudedFaces faces(extruded);
+    const plane::WallEdge* before = nullptr;
     for (const plane::WallEdge& edge : tile.wall_edges) {
-        if (extruded.patches.empty() || extruded.patches.back().wall != edge.wall) {
+        if (before == nullptr || before->wall != edge.wall) {
             extruded.patches.push_back({.name = wall_name(tile, edge.wall),
+                                        .kind = PatchKind::kWall,
                                         .first_face = extruded.n_faces(),
-                                        .n_faces = 0,
-                                        .partner = -1,
-                                        .offset = {},
-                                        .separation = plane::Vec2(0, 0),
-                                        .wall = edge.wall});
+                                        .n_faces = 0});
         }
         faces.add_upright(edge.v0, edge.v1, face_beside(sides, edge.v0, edge.v1));
         ++extruded.patches.back().n_faces;
+        before = &edge;
     }
 }
 
 }  // namespace
 
-ExtrudedMesh extruded_mesh(const plane::Tile& tile, double thickness) {
-    ExtrudedMesh extruded{.lattice = tile.lattice, .kind = tile.kind};
+FiniteVolumeMesh extruded_mesh(const plane::Tile& tile, double thickness) {
+    FiniteVolumeMesh extruded{.n_cells = tile.n_faces()};
     add_points(tile, thickness, extruded);
     const std::vector<Side> sides = sides_by_edge(tile);
     ExtrudedFaces faces(extruded);
@@ -194,11 +185,9 @@ ExtrudedMesh extruded_mesh(const plane::Tile& tile, double thickness) {
     add_walls(tile, sides, extruded);
     for (const bool front : {false, true}) {
         extruded.patches.push_back({.name = std::string(front ? kFrontPatch : kBackPatch),
+                                    .kind = PatchKind::kEmpty,
                                     .first_face = extruded.n_faces(),
-                                    .n_faces = tile.n_faces(),
-                                    .partner = -1,
-                                    .offset = {},
-                                    .separation = plane::Vec2(0, 0)});
+                                    .n_faces = tile.n_faces()});
         faces.add_lids(tile, front);
     }
     return extruded;

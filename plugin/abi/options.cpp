@@ -302,7 +302,7 @@ Job make_job(const pcvt_options& options) {
     require_positive("tolerance", options.tolerance);
     Job job;
     job.in_plane().lattice = plane::Lattice({options.lattice[0], options.lattice[1]},
-                                 {options.lattice[2], options.lattice[3]});
+                                            {options.lattice[2], options.lattice[3]});
     job.in_plane().points = given_sites(options);
     job.n_sites = options.n_sites;
     job.seed = options.seed;

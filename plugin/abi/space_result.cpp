@@ -31,11 +31,11 @@ CellArrays cell_arrays(const space::PolyhedralMesh& mesh, space::Points sites) {
     const auto n_boundary = static_cast<std::size_t>(mesh.n_faces() - n_inner);
     arrays.partner.resize(n_boundary);
     arrays.partner_offset.resize(n_boundary);
-    for (const space::PolyhedralPatch& patch : mesh.patches) {
+    for (const FiniteVolumePatch& patch : mesh.patches) {
         for (int k = 0; k < patch.n_faces; ++k) {
             const int face = patch.first_face - n_inner + k;
             arrays.partner[face] = mesh.patches[patch.partner].first_face + k;
-            arrays.partner_offset[face] = patch.offset;
+            arrays.partner_offset[face] = patch.offset_as<space::Offset>();
         }
     }
     for (const space::CellBody& body : cell_bodies(mesh)) arrays.volumes.push_back(body.volume);

@@ -21,8 +21,9 @@ namespace {
 double expected_energy(const Job& job, int n) {
     const double bound = plane::hexagonal_bound(job.in_plane().lattice.area(), n);
     if (!job.density) return bound;
-    return bound * plane::DensitySurvey(job.in_plane().lattice, *job.density, plane::kSurveyResolution)
-                       .mean_root_squared();
+    return bound *
+           plane::DensitySurvey(job.in_plane().lattice, *job.density, plane::kSurveyResolution)
+               .mean_root_squared();
 }
 
 /// From this number of sites on, the estimate of the memory is printed when the run begins.
@@ -136,7 +137,7 @@ ExitCode run_mesh(Job job, const MeshOptions& options) {
         read_area_file(job);
         const SiteFile fixed{options.cells.fixed, job.in_plane().fixed, job.lines};
         summary = job.in_plane().fixed.cols() > 0 ? run_distinct(job, fixed, options.quiet)
-                                       : run_watched(job, options.quiet);
+                                                  : run_watched(job, options.quiet);
     } else {
         const SiteFile file = read_sites<2>(options.input);
         job.in_plane().points = file.points;

@@ -88,8 +88,8 @@ constexpr int kFewestAnnouncedInSpace = 200'000;
 SpaceSummary run_watched(const Job& job, bool quiet) {
     const std::optional<double> available = available_memory();
     const int n = job.n_wanted();
-    ProgressDisplay display(space::body_centred_energy(job.in_space().lattice.volume(), n), job.run.tolerance,
-                            !quiet);
+    ProgressDisplay display(space::body_centred_energy(job.in_space().lattice.volume(), n),
+                            job.run.tolerance, !quiet);
     catch_cancel_signals();
     // The first progress follows the checks of the job, so that a refusal is one line.
     bool announces = n >= kFewestAnnouncedInSpace && !quiet;
@@ -203,15 +203,18 @@ Job make_space_job(const CLI::App& app, const MeshOptions& options) {
 }
 
 std::string space_summary_text(const Job& job, const SpaceSummary& summary) {
-    const Eigen::ArrayXXd given = lattice_coordinates(job.in_space().lattice, job.in_space().points);
-    const Eigen::ArrayXXd reduced = lattice_coordinates(reduce(job.in_space().lattice).reduced, job.in_space().points);
-    std::string text = summary_line(
-        "sites", std::to_string(summary.n_sites) + domain_note(job.in_space().points.array(), given, reduced));
+    const Eigen::ArrayXXd given =
+        lattice_coordinates(job.in_space().lattice, job.in_space().points);
+    const Eigen::ArrayXXd reduced =
+        lattice_coordinates(reduce(job.in_space().lattice).reduced, job.in_space().points);
+    std::string text =
+        summary_line("sites", std::to_string(summary.n_sites) +
+                                  domain_note(job.in_space().points.array(), given, reduced));
     if (job.duplicates == Duplicates::kDrop)
         text += duplicates_line(job.dropped, job.in_space().points.cols());
-    text +=
-        summary_line("lattice", vector_text(job.in_space().lattice.a()) + " " + vector_text(job.in_space().lattice.b()) +
-                                    " " + vector_text(job.in_space().lattice.c()));
+    text += summary_line("lattice", vector_text(job.in_space().lattice.a()) + " " +
+                                        vector_text(job.in_space().lattice.b()) + " " +
+                                        vector_text(job.in_space().lattice.c()));
     if (summary.pattern) text += pattern_lines(*summary.pattern, summary.energy_bound);
     text += summary_line("stop", std::string(stop_name(summary.run.stop)) + " after " +
                                      counted(summary.run.iterations, "iteration") + ", " +

@@ -47,9 +47,10 @@ Eigen::ArrayXXd lattice_coordinates(const plane::Points& points, const plane::La
 std::string site_text(const Job& job, const RunSummary& summary) {
     const plane::Domain domain(job.in_plane().lattice, job.tile.origin);
     return std::to_string(summary.n_sites) +
-           domain_note(job.in_plane().points.array(),
-                       lattice_coordinates(job.in_plane().points, job.in_plane().lattice, job.tile.origin),
-                       lattice_coordinates(job.in_plane().points, domain.basis(), domain.corner()));
+           domain_note(
+               job.in_plane().points.array(),
+               lattice_coordinates(job.in_plane().points, job.in_plane().lattice, job.tile.origin),
+               lattice_coordinates(job.in_plane().points, domain.basis(), domain.corner()));
 }
 
 std::string grain_text(const plane::GrainFigures& grains) {
@@ -277,9 +278,10 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     std::string text;
     text += summary_line("sites", site_text(job, summary));
     if (job.duplicates == Duplicates::kDrop)
-        text += duplicates_line(job.dropped, std::max(job.in_plane().points.cols(), job.in_plane().fixed.cols()));
-    text +=
-        summary_line("lattice", vector_text(job.in_plane().lattice.a()) + " " + vector_text(job.in_plane().lattice.b()));
+        text += duplicates_line(
+            job.dropped, std::max(job.in_plane().points.cols(), job.in_plane().fixed.cols()));
+    text += summary_line("lattice", vector_text(job.in_plane().lattice.a()) + " " +
+                                        vector_text(job.in_plane().lattice.b()));
     if (summary.seed != job.seed) text += summary_line("seed", seed_text(job, summary));
     text += summary_line("stop", std::string(stop_name(summary.run.stop)) + " after " +
                                      counted(summary.run.iterations, "iteration") + ", " +

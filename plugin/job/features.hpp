@@ -71,24 +71,6 @@ enum class Feature : std::uint8_t {
     kSurface,
 };
 
-/// A set of features.
-class FeatureSet {
-   public:
-    constexpr FeatureSet() = default;
-    template <class... Features>
-    constexpr explicit FeatureSet(Features... features) : bits_((0 | ... | bit(features))) {}
-
-    constexpr void add(Feature feature) { bits_ |= bit(feature); }
-    constexpr bool is_empty() const { return bits_ == 0; }
-    constexpr bool meets(FeatureSet other) const { return (bits_ & other.bits_) != 0; }
-
-   private:
-    static constexpr std::uint64_t bit(Feature feature) {
-        return std::uint64_t{1} << static_cast<unsigned>(feature);
-    }
-    std::uint64_t bits_ = 0;
-};
-
 /// A feature as the command, pcvt.h, checks of jobs and messages about files know it.
 ///
 /// Example usage:
@@ -126,14 +108,5 @@ auto rows_in_space(const Table& table) {
     }
     return rows;
 }
-
-/// Requires that no two features of a job contradict each other, and that it has those on which
-/// others depend.
-///
-/// Example usage:
-///   require_compatible(job);
-///
-/// @throws InvalidInput with the remedy.
-void require_compatible(const Job& job);
 
 }  // namespace pcvt

@@ -138,7 +138,8 @@ std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
             folded_density(*job.density, plane::PlaneGroup(*job.symmetry, job.in_plane().lattice));
         return densities_at(folded, job.in_plane().lattice, wrapped_sites(cells, job.tile.origin));
     }
-    return densities_at(*job.density, job.in_plane().lattice, wrapped_sites(cells, job.tile.origin));
+    return densities_at(*job.density, job.in_plane().lattice,
+                        wrapped_sites(cells, job.tile.origin));
 }
 
 void add_materials(const Job& job, Computation& computation) {

@@ -7,7 +7,7 @@
 #include "io/tiles/tile_file.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/plane/symmetry/special_positions.hpp"
-#include "plugin/job/features.hpp"
+#include "plugin/job/contradictions.hpp"
 #include "plugin/job/job_constraints.hpp"
 #include "plugin/job/job_start.hpp"
 
@@ -102,7 +102,8 @@ void check_symmetry(const Job& job) {
     distribute(group, special_positions(group), job.n_sites);
     if (!job.aspect) return;
     try {
-        const plane::PlaneGroup round(*job.symmetry, metric_of(job).to_round(job.in_plane().lattice));
+        const plane::PlaneGroup round(*job.symmetry,
+                                      metric_of(job).to_round(job.in_plane().lattice));
     } catch (const InvalidInput& error) {
         throw InvalidInput(std::string("elongated by the aspect: ") + error.what());
     }

@@ -134,8 +134,9 @@ void check_constraints(const Job& job) {
     check_names(job);
     check_holes(job);
     if (job.in_plane().fixed.cols() > job.n_sites) {
-        throw InvalidInput("there are more fixed sites (" + std::to_string(job.in_plane().fixed.cols()) +
-                           ") than sites (" + std::to_string(job.n_sites) + "); take more sites");
+        throw InvalidInput("there are more fixed sites (" +
+                           std::to_string(job.in_plane().fixed.cols()) + ") than sites (" +
+                           std::to_string(job.n_sites) + "); take more sites");
     }
     if (!job.has_inclusions()) return;
     if (job.fibres) {

@@ -5,9 +5,10 @@
 
 #include "io/bytes/extension.hpp"
 #include "io/bytes/nearest_word.hpp"
-#include "io/elements/triangle_elements.hpp"
+#include "io/forms/triangle_elements.hpp"
 #include "io/outputs/distinct_paths.hpp"
 #include "io/solvers/inp_sections.hpp"
+#include "plugin/job/contradictions.hpp"
 #include "plugin/job/features.hpp"
 #include "plugin/job/job_checks.hpp"
 

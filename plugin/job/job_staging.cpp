@@ -53,8 +53,9 @@ class FileEncoder {
     std::vector<EncodedFile> operator()(VoxelWriter* write) const {
         const plane::VoxelCounts counts =
             requested_voxels(format_request(job_, plane::MeshKind::kVoronoi));
-        const plane::VoxelGrid grid = voxel_grid(
-            job_.in_plane().lattice.repeated(job_.tile.columns, job_.tile.rows), job_.tile.origin, counts);
+        const plane::VoxelGrid grid =
+            voxel_grid(job_.in_plane().lattice.repeated(job_.tile.columns, job_.tile.rows),
+                       job_.tile.origin, counts);
         const plane::VoxelCells cells{.lattice = job_.in_plane().lattice,
                                       .sites = sites(),
                                       .weights = site_weights(result_.cells),

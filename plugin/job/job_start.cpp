@@ -29,8 +29,9 @@ JobStart random_start(const Job& job, const ProgressCallback& /*callback*/) {
             numbered_by_columns(random_sites(group, plan_of(job, group), job.seed, density));
         return start;
     }
-    start.points = job.density ? graded_points(job.in_plane().lattice, *job.density, job.n_sites, job.seed)
-                               : uniform_points(job.in_plane().lattice, job.n_sites, job.seed);
+    start.points = job.density
+                       ? graded_points(job.in_plane().lattice, *job.density, job.n_sites, job.seed)
+                       : uniform_points(job.in_plane().lattice, job.n_sites, job.seed);
     return start;
 }
 
@@ -56,7 +57,8 @@ JobStart lattice_start(const Job& job, const ProgressCallback& /*callback*/) {
     const plane::LatticePattern pattern = best_lattice(job.in_plane().lattice, job.n_sites);
     JobStart start;
     start.points = pattern_points(pattern);
-    start.figures.pattern = PatternOutcome<plane::LatticePattern>{pattern, lattice_stability(pattern)};
+    start.figures.pattern =
+        PatternOutcome<plane::LatticePattern>{pattern, lattice_stability(pattern)};
     return start;
 }
 
@@ -67,7 +69,8 @@ JobStart best_start(const Job& job, const ProgressCallback& callback) {
         {.seed = job.seed, .budget = budget, .n_threads = job.run.n_threads, .progress = callback});
     JobStart start;
     start.points = std::move(result.points);
-    start.figures.pattern = PatternOutcome<plane::LatticePattern>{result.lattice, lattice_stability(result.lattice)};
+    start.figures.pattern =
+        PatternOutcome<plane::LatticePattern>{result.lattice, lattice_stability(result.lattice)};
     start.figures.found = std::move(result.found);
     start.evaluations = result.evaluations;
     start.cancelled = result.cancelled;
@@ -206,8 +209,9 @@ bool settle(Job& job, Domain& domain) {
     const auto [coordinates, periods, h] = coincidence_domain(job, domain, given, n_sites);
     if (coordinates.cols() == 0) return false;
     std::vector<CoincidentSite> pairs =
-        job.duplicates == Duplicates::kDrop ? sites_to_drop(coordinates, periods, h)
-                                            : coincident_sites(coordinates, periods, kCoincident * h);
+        job.duplicates == Duplicates::kDrop
+            ? sites_to_drop(coordinates, periods, h)
+            : coincident_sites(coordinates, periods, kCoincident * h);
     if (pairs.empty()) return true;
     if (job.duplicates == Duplicates::kRefuse) throw DuplicateSites(std::move(pairs));
     const auto n = static_cast<std::size_t>(given.cols());
@@ -228,8 +232,8 @@ void settle_duplicates(Job& job) {
     const bool are_distinct =
         std::visit([&](auto& domain) { return settle(job, domain); }, job.domain);
     if (!are_distinct || !job.is_in_space()) return;
-    job.n_tetrahedra = space::expected_tetrahedra(
-        space::Sites(job.in_space().lattice, job.in_space().points));
+    job.n_tetrahedra =
+        space::expected_tetrahedra(space::Sites(job.in_space().lattice, job.in_space().points));
 }
 
 std::span<const StartRow> start_rows() { return kStarts; }
@@ -264,7 +268,8 @@ Start chosen_start(const Job& job) {
     const bool alike = !job.density && !job.areas;
     // Where mirrors and centres bound an asymmetric unit with few sites, a coarse start may end
     // higher.
-    const int order = job.symmetry ? plane::PlaneGroup(*job.symmetry, job.in_plane().lattice).order() : 1;
+    const int order =
+        job.symmetry ? plane::PlaneGroup(*job.symmetry, job.in_plane().lattice).order() : 1;
     const bool many = job.n_sites / order >= kFewestForCoarse;
     const bool coarse = many && job.run.max_iterations != 0 && alike;
     return coarse ? Start::kCoarse : Start::kRandom;

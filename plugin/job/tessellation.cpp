@@ -47,17 +47,17 @@ Tessellation compute_cells(const Job& job, JobStart& start, JobMonitor& monitor,
     };
     if (job.has_inclusions()) return compute_cells_with_inclusions(job, options);
     if (job.walls != Walls::kNone) {
-        plane::WalledCvt walled = compute_walled_cvt(job.in_plane().lattice, job.walls, job.wall_cells,
-                                                     std::move(start.points), options);
+        plane::WalledCvt walled = compute_walled_cvt(
+            job.in_plane().lattice, job.walls, job.wall_cells, std::move(start.points), options);
         return {.delaunay = std::move(walled.torus.delaunay),
                 .walled = walled.domain,
                 .run = walled.torus.run,
                 .counts = walled.torus.counts,
                 .density = walled.torus.density};
     }
-    plane::CvtResult cvt = start.symmetric
-                               ? compute_cvt(*start.symmetric, options)
-                               : compute_cvt(job.in_plane().lattice, std::move(start.points), options);
+    plane::CvtResult cvt =
+        start.symmetric ? compute_cvt(*start.symmetric, options)
+                        : compute_cvt(job.in_plane().lattice, std::move(start.points), options);
     return {.delaunay = std::move(cvt.delaunay),
             .run = cvt.run,
             .counts = cvt.counts,

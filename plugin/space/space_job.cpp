@@ -85,7 +85,8 @@ std::optional<PatternOutcome<space::LatticePattern>> find_pattern(const Job& job
     return PatternOutcome<space::LatticePattern>{pattern, space::lattice_stability(pattern)};
 }
 
-space::Points start_points(const Job& job, const std::optional<PatternOutcome<space::LatticePattern>>& pattern,
+space::Points start_points(const Job& job,
+                           const std::optional<PatternOutcome<space::LatticePattern>>& pattern,
                            JobMonitor& monitor) {
     if (job.n_given() > 0) return job.in_space().points;
     if (pattern) return pattern_points(pattern->lattice);
@@ -177,7 +178,8 @@ SpaceSummary finish(const Job& job, const std::vector<SpaceJobFile>& files,
     OutputSet outputs;
     SpaceSummary summary;
     summary.n_sites = delaunay.sites.n_sites();
-    summary.energy_bound = space::body_centred_energy(job.in_space().lattice.volume(), summary.n_sites);
+    summary.energy_bound =
+        space::body_centred_energy(job.in_space().lattice.volume(), summary.n_sites);
     for (const SpaceJobFile& file : files) summary.files.push_back(file.path);
     monitor.watch([&] {
         std::optional<space::TetrahedralMesh> tetrahedra =
@@ -255,8 +257,7 @@ ProvedSpaceTile prove_space_tile(const Job& job, const SpaceComputation& computa
     return proved;
 }
 
-std::optional<SpaceComputation> compute_space_job(const Job& job,
-                                                  const JobCallback& callback) {
+std::optional<SpaceComputation> compute_space_job(const Job& job, const JobCallback& callback) {
     check_short_edges(job.tile.short_edges);
     require_available(run_takes(job), estimated_memory(job, {}), "take fewer sites");
     JobMonitor monitor(callback, target_of(job));

@@ -40,9 +40,7 @@ double estimated_memory(const Job& job, const std::vector<SpaceJobFile>& files) 
     return kCommandBytes + kThreadBytes * job.run.n_threads + n_even * largest_bytes(job, files);
 }
 
-double memory_of_cells(const Job& job, int n_sites) {
-    return memory_to_write(job, n_sites, {});
-}
+double memory_of_cells(const Job& job, int n_sites) { return memory_to_write(job, n_sites, {}); }
 
 double memory_to_write(const Job& job, int n_sites, const std::vector<SpaceJobFile>& files) {
     return n_sites * (largest_bytes(job, files) - kComputed);

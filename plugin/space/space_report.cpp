@@ -9,7 +9,8 @@
 namespace pcvt {
 namespace {
 
-void append_pattern(JsonWriter& json, const std::optional<PatternOutcome<space::LatticePattern>>& pattern) {
+void append_pattern(JsonWriter& json,
+                    const std::optional<PatternOutcome<space::LatticePattern>>& pattern) {
     if (!pattern) return;
     const auto& [lattice, stability] = *pattern;
     json.object("pattern", [&] {

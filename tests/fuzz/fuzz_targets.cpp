@@ -5,6 +5,8 @@
 #include <new>
 
 #include "io/file_proof.hpp"
+#include "io/gltf/glb_mesh_fields.hpp"
+#include "io/gltf/glb_mesh_reader.hpp"
 #include "io/graphics/seam_json.hpp"
 #include "io/run_files/area_reader.hpp"
 #include "io/run_files/density_expression.hpp"
@@ -13,8 +15,6 @@
 #include "io/run_files/orientation_reader.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "io/run_files/site_writer.hpp"
-#include "io/surfaces/surface_glb_fields.hpp"
-#include "io/surfaces/surface_glb_reader.hpp"
 #include "io/tile_formats.hpp"
 #include "io/voxels/vti_writer.hpp"
 #include "mesher/base/error.hpp"
@@ -147,9 +147,9 @@ void read_space_tile(const char* path, const std::string& bytes) {
     if (kind == SpaceFileKind::kPolyhedra) prove_space_files(files);
     if (kind == SpaceFileKind::kBoundary) prove_boundary_files(files);
     if (kind != SpaceFileKind::kTriangles) return;
-    const SurfaceGlb glb = decode_surface_glb(files.front());
-    prove_surface_glb(glb);
-    compare_surface_glb(files.front(), glb);
+    const GlbSurfaces glb = decode_glb_surfaces(files.front());
+    prove_glb_surfaces(glb);
+    compare_glb_surfaces(files.front(), glb);
 }
 
 FuzzTarget space_target(std::string_view name, const char* path) {

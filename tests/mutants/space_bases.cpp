@@ -1,8 +1,8 @@
 #include "tests/mutants/space_bases.hpp"
 
+#include "io/gltf/glb_mesh_fields.hpp"
+#include "io/gltf/glb_mesh_reader.hpp"
 #include "io/space_file_proof.hpp"
-#include "io/surfaces/surface_glb_fields.hpp"
-#include "io/surfaces/surface_glb_reader.hpp"
 #include "mesher/base/error.hpp"
 #include "tests/support/space_tiles.hpp"
 
@@ -64,9 +64,9 @@ void prove(SpaceFileKind kind, const Files& files) {
             prove_boundary_files(files);
             return;
         case SpaceFileKind::kTriangles: {
-            const SurfaceGlb glb = decode_surface_glb(files.front());
-            prove_surface_glb(glb);
-            compare_surface_glb(files.front(), glb);
+            const GlbSurfaces glb = decode_glb_surfaces(files.front());
+            prove_glb_surfaces(glb);
+            compare_glb_surfaces(files.front(), glb);
             return;
         }
     }

@@ -79,7 +79,7 @@ ClippedCell clipped_cell(const space::Sites& sites, SiteId site) {
             const space::Vec3 offset(o / 25 - 2, o / 5 % 5 - 2, o % 5 - 2);
             if (t == site && offset.isZero()) continue;
             images.push_back(reduced.to_position(sites.coordinates().col(t) -
-                                              sites.coordinates().col(site) + offset));
+                                                 sites.coordinates().col(site) + offset));
         }
     }
     std::sort(images.begin(), images.end(), [](const space::Vec3& p, const space::Vec3& q) {

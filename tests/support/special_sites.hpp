@@ -18,8 +18,8 @@ inline plane::Sites grid_sites(const plane::Lattice& lattice, int columns, int r
                                double v) {
     plane::Points points(2, columns * rows);
     for (int k = 0; k < columns * rows; ++k) {
-        points.col(k) =
-            lattice.to_position({u + double(k % columns) / columns, v + double(k / columns) / rows});
+        points.col(k) = lattice.to_position(
+            {u + double(k % columns) / columns, v + double(k / columns) / rows});
     }
     return {lattice, points};
 }

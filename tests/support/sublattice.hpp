@@ -19,7 +19,8 @@ inline plane::Points sublattice_points(const plane::Lattice& lattice,
     for (int k = 0; k < n; ++k) {
         const double i = k / basis.d;
         const double j = k % basis.d;
-        points.col(k) = lattice.to_position(plane::Vec2(i * basis.d, j * basis.a - i * basis.b) / n);
+        points.col(k) =
+            lattice.to_position(plane::Vec2(i * basis.d, j * basis.a - i * basis.b) / n);
     }
     return points;
 }

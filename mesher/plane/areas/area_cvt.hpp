@@ -52,7 +52,7 @@ void require_areas(const AreaCvtOptions& options, int n_sites);
 /// Finds the power diagram whose cells have prescribed areas, and optionally moves the sites to the
 /// centroids of their cells, in the same areas.
 ///
-/// The fully centroidal run minimises E(x) = max over w of g(x, w) (area_newton.hpp), the energy of
+/// The fully centroidal run minimises E(x) = max over w of g(x, w) (size_newton.hpp), the energy of
 /// the cells of prescribed areas, by L-BFGS. Its gradient is 2 a_i (x_i - g_i), because w is a
 /// maximum (M. Balzer, T. Schloemer, O. Deussen 2009; F. de Goes et al. 2012).
 ///

@@ -88,10 +88,10 @@ class BoxCutter {
             return std::tie(p.x(), p.y()) < std::tie(q.x(), q.y());
         };
         std::sort(on_lines.begin(), on_lines.end(), before);
-        return std::adjacent_find(on_lines.begin(), on_lines.end(),
-                                  [&](const Vec2& p, const Vec2& q) {
-                                      return lattice_.to_position(q - p).norm() < least_snap(cells_);
-                                  }) == on_lines.end();
+        return std::adjacent_find(
+                   on_lines.begin(), on_lines.end(), [&](const Vec2& p, const Vec2& q) {
+                       return lattice_.to_position(q - p).norm() < least_snap(cells_);
+                   }) == on_lines.end();
     }
 
    private:

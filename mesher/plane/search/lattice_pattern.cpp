@@ -183,8 +183,8 @@ Points pattern_points(const LatticePattern& pattern) {
         for (int j = 0; j < d; ++j) {
             // The second coordinate is wrapped while it is still an integer number of n-ths.
             const std::int64_t v = remainder_of(std::int64_t{j} * a - std::int64_t{i} * b, n);
-            points.col(i * d + j) =
-                reduced.to_position({double(i) / a, static_cast<double>(v) / static_cast<double>(n)});
+            points.col(i * d + j) = reduced.to_position(
+                {double(i) / a, static_cast<double>(v) / static_cast<double>(n)});
         }
     }
     return points;

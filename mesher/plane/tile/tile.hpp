@@ -63,12 +63,6 @@ struct WallEdge {
     friend constexpr auto operator<=>(const WallEdge&, const WallEdge&) = default;
 };
 
-/// The name of the part of a boundary that `offset` takes to its partners, in every format:
-/// `seam_1_0`, `seam_-1_0`.
-inline std::string seam_name(Offset offset) {
-    return std::string(kSeamSet) + std::to_string(offset.i) + "_" + std::to_string(offset.j);
-}
-
 /// A tile as plain arrays: what writers take and readers give back.
 ///
 /// Offsets are in the basis of `lattice`, the one that the user typed (times the repetition).

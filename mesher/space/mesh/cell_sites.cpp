@@ -102,13 +102,13 @@ CellSiteFigures prove_cell_sites(const PolyhedralMesh& mesh, const Points& sites
         checkpoint_each(f);
         proof.prove_face(f, sites.col(mesh.neighbour[f]));
     }
-    for (const PolyhedralPatch& patch : mesh.patches) {
+    for (const FiniteVolumePatch& patch : mesh.patches) {
         // The neighbour across the seam is the partner's owner, back by the translation.
-        const Vec3 back = mesh.lattice.translation(patch.offset);
         const int partner = mesh.patches[patch.partner].first_face;
         for (int k = 0; k < patch.n_faces; ++k) {
             checkpoint_each(k);
-            proof.prove_face(patch.first_face + k, sites.col(mesh.owner[partner + k]) - back);
+            proof.prove_face(patch.first_face + k,
+                             sites.col(mesh.owner[partner + k]) - patch.separation);
         }
     }
     return proof.figures();

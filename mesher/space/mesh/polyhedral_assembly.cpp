@@ -96,12 +96,8 @@ void order_boundary(std::vector<FacePair> pairs, PolyhedralMesh& mesh) {
     for (std::size_t begin = 0; begin < pairs.size();) {
         std::size_t end = begin;
         while (end < pairs.size() && pairs[end].offset == pairs[begin].offset) ++end;
-        const Offset offset = pairs[begin].offset;
-        const int n = static_cast<int>(end - begin);
-        const int patch = static_cast<int>(mesh.patches.size());
-        mesh.patches.push_back({mesh.n_faces(), n, patch + 1, offset});
+        add_seam_patches(pairs[begin].offset, static_cast<int>(end - begin), mesh);
         for (std::size_t k = begin; k < end; ++k) add(pairs[k].first, 0);
-        mesh.patches.push_back({mesh.n_faces(), n, patch, -offset});
         for (std::size_t k = begin; k < end; ++k) add(pairs[k].second, pairs[k].start);
         begin = end;
     }
@@ -152,7 +148,7 @@ PolyhedronList polyhedron_list(const PolyhedralMesh& mesh) {
 
 PolyhedralMesh assembled_mesh(const Lattice& lattice, const PolyhedronList& cells,
                               double least_tolerance) {
-    PolyhedralMesh mesh{.lattice = lattice, .n_cells = cells.n_cells()};
+    PolyhedralMesh mesh{{.n_cells = cells.n_cells()}, lattice};
     mesh.points = cells.points;
     add_faces(cells, mesh);
     const double tolerance = std::max(tolerance_of(mesh.points), least_tolerance);

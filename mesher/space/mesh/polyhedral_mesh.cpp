@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/cells/set_names.hpp"
 #include "mesher/space/mesh/cell_choice.hpp"
 
 namespace pcvt::space {
@@ -91,12 +90,8 @@ class MeshBuilder {
 
     /// Adds the two patches of masters that share a translation.
     void add_seam(std::span<const PlacedFace> masters) {
-        const Offset offset = masters[0].to_partner;
-        const int n = static_cast<int>(masters.size());
-        const int patch = static_cast<int>(mesh_.patches.size());
-        mesh_.patches.push_back({mesh_.n_faces(), n, patch + 1, offset});
+        add_seam_patches(masters[0].to_partner, static_cast<int>(masters.size()), mesh_);
         for (const PlacedFace& face : masters) add(face);
-        mesh_.patches.push_back({mesh_.n_faces(), n, patch, -offset});
         for (const PlacedFace& face : masters) add(partner_of(face));
     }
 
@@ -143,9 +138,9 @@ class MeshBuilder {
 
 }  // namespace
 
-std::string seam_name(Offset offset) {
-    return std::string(kSeamSet) + std::to_string(offset.i) + "_" + std::to_string(offset.j) + "_" +
-           std::to_string(offset.k);
+void add_seam_patches(const Offset& offset, int n, PolyhedralMesh& mesh) {
+    pcvt::add_seam_patches({offset.i, offset.j, offset.k}, mesh.lattice.translation(offset),
+                           mesh.lattice.translation(-offset), n, mesh);
 }
 
 PolyhedralMesh polyhedral_mesh(const Sites& sites, const CellComplex& complex) {
@@ -153,8 +148,8 @@ PolyhedralMesh polyhedral_mesh(const Sites& sites, const CellComplex& complex) {
     const std::vector<Offset> images =
         chosen_images(complex, cell_bodies(complex), domain_corner(sites.lattice(), reduction));
     const PlacedFaces placed = placed_faces(complex, images, reduction);
-    PolyhedralMesh mesh{
-        .lattice = sites.lattice(), .n_cells = sites.n_sites(), .short_edges = complex.short_edges};
+    PolyhedralMesh mesh{{.n_cells = sites.n_sites()}, sites.lattice()};
+    mesh.short_edges = complex.short_edges;
     MeshBuilder builder(complex, reduction, mesh);
     for (const PlacedFace& face : placed.inner) builder.add_inner(face);
     const std::span<const PlacedFace> masters(placed.masters);

@@ -7,6 +7,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/disjoint_sets.hpp"
 #include "mesher/base/law_violation.hpp"
+#include "mesher/cells/set_names.hpp"
 #include "mesher/space/mesh/boundary_surface.hpp"
 #include "mesher/space/mesh/seam_pairs.hpp"
 #include "mesher/space/proof/cell_proof.hpp"
@@ -35,24 +36,29 @@ void prove_patches(const PolyhedralMesh& mesh, const std::vector<FacePair>& pair
     std::size_t next = 0;
     const int n_patches = static_cast<int>(mesh.patches.size());
     for (int p = 0; p < n_patches; ++p) {
-        const PolyhedralPatch& patch = mesh.patches[p];
+        const FiniteVolumePatch& patch = mesh.patches[p];
+        const Offset offset = patch.offset_as<Offset>();
         const bool known = patch.partner >= 0 && patch.partner < n_patches;
         if (!known || mesh.patches[patch.partner].partner != p ||
-            mesh.patches[patch.partner].offset != -patch.offset ||
+            mesh.patches[patch.partner].offset_as<Offset>() != -offset ||
             mesh.patches[patch.partner].n_faces != patch.n_faces) {
-            throw_violation(kSeam, "the patch " + seam_name(patch.offset) + " has no partner");
+            throw_violation(kSeam, "the patch " + patch.name + " has no partner");
         }
-        if (patch.offset < Offset{}) continue;
+        if (patch.name != seam_name(offset) ||
+            patch.separation != mesh.lattice.translation(offset)) {
+            throw_violation(kSeam, "the patch " + patch.name + " states another translation");
+        }
+        if (offset < Offset{}) continue;
         const int first = mesh.patches[patch.partner].first_face;
         for (int k = 0; k < patch.n_faces; ++k, ++next) {
-            const FacePair stated{patch.first_face + k, first + k, patch.offset, 0};
+            const FacePair stated{patch.first_face + k, first + k, offset, 0};
             const bool found = next < pairs.size() && pairs[next].first == stated.first &&
                                pairs[next].second == stated.second &&
                                pairs[next].offset == stated.offset && pairs[next].start == 0;
             if (!found) {
                 throw_violation(kSeam, "face " + std::to_string(stated.first) +
                                            " does not match its partner in the patch " +
-                                           seam_name(patch.offset));
+                                           patch.name);
             }
         }
     }

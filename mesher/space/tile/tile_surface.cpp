@@ -24,11 +24,11 @@ TileSurface tile_surface(const PolyhedralMesh& mesh, const Points& sites) {
         surface.faces.close();
         surface.cell.push_back(mesh.owner[f]);
     }
-    for (const PolyhedralPatch& patch : mesh.patches) {
+    for (const FiniteVolumePatch& patch : mesh.patches) {
         const int partner = mesh.patches[patch.partner].first_face - first;
         for (int k = 0; k < patch.n_faces; ++k) {
             surface.partner.push_back(partner + k);
-            surface.offset.push_back(patch.offset);
+            surface.offset.push_back(patch.offset_as<Offset>());
         }
     }
     return surface;

@@ -1,9 +1,9 @@
 #include "plugin/cli/checks/space_check.hpp"
 
 #include "io/bytes/bad_file.hpp"
+#include "io/gltf/glb_mesh_fields.hpp"
+#include "io/gltf/glb_mesh_reader.hpp"
 #include "io/space_file_proof.hpp"
-#include "io/surfaces/surface_glb_fields.hpp"
-#include "io/surfaces/surface_glb_reader.hpp"
 #include "mesher/base/law_violation.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "plugin/cli/checks/tolerance_check.hpp"
@@ -73,9 +73,9 @@ std::string prove_boundary(const std::vector<EncodedFile>& files) {
 }
 
 std::string prove_triangles(const EncodedFile& file) {
-    const SurfaceGlb glb = decode_surface_glb(file);
-    const SurfaceGlbProof proof = prove_surface_glb(glb);
-    compare_surface_glb(file, glb);
+    const GlbSurfaces glb = decode_glb_surfaces(file);
+    const GlbProof proof = prove_glb_surfaces(glb);
+    compare_glb_surfaces(file, glb);
     return std::to_string(proof.n_triangles) + " triangles in " + counted(proof.n_parts, "part") +
            (glb.form == SurfaceForm::kCells ? ", each closed" : ", which close together") +
            ", volume " + figure(proof.volume) + " (tolerance " + figure(proof.tolerance) + ")";

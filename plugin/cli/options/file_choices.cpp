@@ -4,7 +4,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include "io/surfaces/surface_list.hpp"
+#include "io/forms/surface_list.hpp"
 #include "plugin/cli/options/option_values.hpp"
 #include "plugin/job/job_files.hpp"
 

@@ -197,8 +197,10 @@ TEST(Obj, FaultsOfTheSeamNameTheirLine) {
     EXPECT_THAT(fault("lattice 1 0 0 1", "lattice 1 0 0 inf"), StartsWith("t.obj:2: 'inf'"));
     EXPECT_THAT(fault("# pcvt kind cells", "# pcvt lattice 1 0 0 1"),
                 StartsWith("t.obj:2: a second line states the lattice; "));
-    EXPECT_THAT(fault("pair 1 2 1 0", "pair 1 2 1"), StartsWith("t.obj:3: a pair has 4 numbers"));
-    EXPECT_THAT(fault("pair 1 2 1 0", "pair 0 2 1 0"), StartsWith("t.obj:3: vertex 0 does not"));
+    EXPECT_THAT(fault("pair 1 2 1 0", "pair 1 2 1"),
+                StartsWith("t.obj:3: vertex_pair has 4 numbers here, not 3; "));
+    EXPECT_THAT(fault("pair 1 2 1 0", "pair 0 2 1 0"),
+                StartsWith("t.obj:3: index 0 does not exist; "));
     EXPECT_THAT(fault("pair 1 2 1 0", "pair 1 5 1 0"), HasSubstr("a pair names vertex 5, which"));
     EXPECT_THAT(fault("1 2 4 3 0 1", "1 2 4 9 0 1"), HasSubstr("a pair names vertex 9, which"));
     EXPECT_THAT(fault("pair 1 2 1 0", "pair 1 2 1 268435457"), HasSubstr("the offset 268435457; "));

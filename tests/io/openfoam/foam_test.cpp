@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/openfoam/foam_reader.hpp"
+#include "io/openfoam/foam_layer.hpp"
 #include "io/openfoam/foam_writer.hpp"
-#include "mesher/finite_volume/cell_flow.hpp"
+#include "mesher/finite_volume/extruded_mesh.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
@@ -18,7 +18,8 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 std::vector<EncodedFile> grid_case() {
-    return encode_foam(testing::grid_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 3, 2), "t.foam");
+    return encode_foam(foam_case(testing::grid_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 3, 2)),
+                       "t.foam");
 }
 
 EncodedFile& file_named(std::vector<EncodedFile>& files, const std::string& name) {
@@ -29,7 +30,7 @@ EncodedFile& file_named(std::vector<EncodedFile>& files, const std::string& name
 std::string fault_of(const std::vector<EncodedFile>& files,
                      const std::optional<plane::Lattice>& lattice = {}) {
     try {
-        decode_foam(files, lattice);
+        decode_foam_layer(files, lattice);
     } catch (const InvalidInput& fault) {
         return fault.what();
     }
@@ -52,7 +53,8 @@ TEST(Foam, TilesReadBackExactlyWithTheirEdgePairs) {
         for (const plane::Tile& tile :
              {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
               testing::triangle_grid_tile(lattice, 2, 5)}) {
-            const TileFile file = decode_foam(encode_foam(tile, "t.foam"), std::nullopt);
+            const TileFile file =
+                decode_foam_layer(encode_foam(foam_case(tile), "t.foam"), std::nullopt);
             EXPECT_TRUE(file.has_edge_pairs);
             EXPECT_EQ(file.tile.points, tile.points);
             EXPECT_EQ(file.tile.kind, tile.kind);
@@ -105,7 +107,7 @@ double number_after(std::vector<EncodedFile>& files, const std::string& name,
 TEST(Foam, TheFirstStepHasACourantNumberOfAtMostAHalf) {
     for (const auto& [columns, rows] : {std::pair(12, 12), std::pair(90, 30), std::pair(10, 200)}) {
         const plane::Tile tile = testing::grid_tile(plane::Lattice::rectangle(1, 1), columns, rows);
-        auto files = encode_foam(tile, "t.foam");
+        auto files = encode_foam(foam_case(tile), "t.foam");
         const double step = number_after(files, "system/controlDict", "deltaT");
         const double end = number_after(files, "system/controlDict", "endTime");
         const double interval = number_after(files, "system/controlDict", "writeInterval");
@@ -120,7 +122,8 @@ TEST(Foam, TheFirstStepHasACourantNumberOfAtMostAHalf) {
 }
 
 TEST(Foam, CellsThatAreTooLargeForTheFlowStartAtRest) {
-    auto files = encode_foam(testing::grid_tile(plane::Lattice::rectangle(1, 1), 1, 2), "t.foam");
+    auto files =
+        encode_foam(foam_case(testing::grid_tile(plane::Lattice::rectangle(1, 1), 1, 2)), "t.foam");
     EXPECT_THAT(file_named(files, "constant/transportProperties").bytes,
                 HasSubstr("U and T start as 0"));
     EXPECT_THAT(file_named(files, "0/U").bytes, HasSubstr("\n2\n(\n(0 0 0)\n(0 0 0)\n);\n"));
@@ -170,8 +173,9 @@ const CellMaterials& two_phases() {
 }
 
 std::vector<EncodedFile> phase_example() {
-    return encode_foam(testing::grid_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 3, 2), "t.foam", 0,
-                       &two_phases());
+    return encode_foam(
+        foam_case(testing::grid_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 3, 2), 0, &two_phases()),
+        "t.foam");
 }
 
 TEST(Foam, CellsOfAPhaseAreAZone) {
@@ -179,7 +183,7 @@ TEST(Foam, CellsOfAPhaseAreAZone) {
     EXPECT_THAT(file_named(files, "constant/polyMesh/cellZones").bytes,
                 HasSubstr("2\n(\nphase_1st\n{\n    type            cellZone;\n    cellLabels      "
                           "List<label>\n2\n(\n0\n3\n)\n;\n}\nphase_b\n"));
-    EXPECT_EQ(decode_foam(files, {}).materials, two_phases());
+    EXPECT_EQ(decode_foam_layer(files, {}).materials, two_phases());
     auto without = grid_case();
     EXPECT_THAT(file_named(without, "constant/polyMesh/cellZones").bytes, HasSubstr("0\n(\n)\n"));
 }
@@ -203,7 +207,7 @@ TEST(Foam, FalsePhasesAreRefused) {
 TEST(Foam, NonFiniteCoordinatesAreInternalErrors) {
     plane::Tile tile = testing::grid_tile(plane::Lattice::rectangle(1, 1), 1, 1);
     tile.points[0].x() = std::nan("");
-    EXPECT_THROW(encode_foam(tile, "t.foam"), InternalError);
+    EXPECT_THROW(encode_foam(foam_case(tile), "t.foam"), InternalError);
 }
 
 TEST(Foam, DamagedFilesGiveATileOrAFaultAndNothingElse) {

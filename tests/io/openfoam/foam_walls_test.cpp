@@ -4,7 +4,7 @@
 #include <random>
 
 #include "io/file_proof.hpp"
-#include "io/openfoam/foam_reader.hpp"
+#include "io/openfoam/foam_layer.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/tile_formats.hpp"
 #include "mesher/plane/proof/validate.hpp"
@@ -26,7 +26,7 @@ std::string& text_of(Files& files, const std::string& name) {
 }
 
 Files walled_case(Walls walls = Walls::kY) {
-    return encode_foam(walled_tile(walls, WallCells::kWhole, 12, {}), "t.foam");
+    return encode_foam(foam_case(walled_tile(walls, WallCells::kWhole, 12, {})), "t.foam");
 }
 
 /// Returns why `pcvt check` refuses the files; empty if it accepts them.
@@ -63,9 +63,9 @@ TEST(FoamWalls, TilesReadBackExactlyWithTheirWalls) {
                 SCOPED_TRACE(std::string(walls_row(walls).word) + ' ' + row.word + ' ' +
                              std::to_string(n));
                 const plane::Tile tile = walled_tile(walls, cells, n, {.kind = row.kind});
-                const Files files = encode_foam(tile, "t.foam");
+                const Files files = encode_foam(foam_case(tile), "t.foam");
                 EXPECT_EQ(wall_fault(files), "");
-                const TileFile file = decode_foam(files, std::nullopt);
+                const TileFile file = decode_foam_layer(files, std::nullopt);
                 EXPECT_TRUE(file.has_wall_edges);
                 EXPECT_EQ(file.tile.points, tile.points);
                 EXPECT_EQ(file.tile.walls, walls);
@@ -85,9 +85,10 @@ TEST(FoamWalls, TheFieldsHaveConditionsOnWalls) {
         EXPECT_THAT(text_of(files, "0/p"), HasSubstr(name + "zeroGradient; }"));
         EXPECT_THAT(text_of(files, "0/T"), HasSubstr(name + "zeroGradient; }"));
     }
-    Files moving = encode_foam(walled_tile(Walls::kXY, WallCells::kWhole, 150, {}), "t.foam");
+    Files moving =
+        encode_foam(foam_case(walled_tile(Walls::kXY, WallCells::kWhole, 150, {})), "t.foam");
     EXPECT_THAT(text_of(moving, "constant/transportProperties"), HasSubstr("U begins to fall as"));
-    moving = encode_foam(walled_tile(Walls::kY, WallCells::kWhole, 150, {}), "t.foam");
+    moving = encode_foam(foam_case(walled_tile(Walls::kY, WallCells::kWhole, 150, {})), "t.foam");
     // pi^2, for the height 1.
     EXPECT_THAT(text_of(moving, "constant/transportProperties"), HasSubstr("fall as exp(-9.8696"));
 }
@@ -140,8 +141,8 @@ TEST(FoamWalls, RangesOfWallPatchesAreProved) {
 
 TEST(FoamWalls, ThicknessesAreReadBack) {
     const plane::Tile tile = walled_tile(Walls::kY, WallCells::kWhole, 12, {});
-    Files files = encode_foam(tile, "t.foam", 0.3);
-    EXPECT_EQ(decode_foam(files, std::nullopt).thickness, 0.3);
+    Files files = encode_foam(foam_case(tile, 0.3), "t.foam");
+    EXPECT_EQ(decode_foam_layer(files, std::nullopt).thickness, 0.3);
     EXPECT_EQ(wall_fault(files), "");
     const TileFormat& format = *find_tile_format("t.foam");
     prove_tile_files(format, files, tile, {0, 0}, {.thickness = 0.3});

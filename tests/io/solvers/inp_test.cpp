@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "io/elements/triangle_elements.hpp"
+#include "io/forms/triangle_elements.hpp"
 #include "io/solvers/inp_reader.hpp"
 #include "io/solvers/inp_writer.hpp"
 #include "mesher/plane/tile/build_tile.hpp"

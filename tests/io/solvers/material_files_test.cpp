@@ -5,8 +5,8 @@
 #include <set>
 
 #include "io/bytes/text.hpp"
-#include "io/elements/triangle_elements.hpp"
 #include "io/file_proof.hpp"
+#include "io/forms/triangle_elements.hpp"
 #include "io/solvers/inp_reader.hpp"
 #include "io/solvers/inp_sections.hpp"
 #include "io/solvers/inp_writer.hpp"
@@ -47,7 +47,7 @@ std::string inp_text(const CellMaterials& materials, SolverJob job = SolverJob::
 }
 
 std::string msh_text(const CellMaterials& materials) {
-    return encode_msh(grains(plane::Outline::kWhole), "t.msh", &materials)[0].bytes;
+    return encode_msh(entity_mesh(grains(plane::Outline::kWhole), &materials), "t.msh")[0].bytes;
 }
 
 std::string refusal_of(const std::string& path, const std::string& text) {
@@ -70,7 +70,8 @@ TEST(MaterialFiles, InputsReadBackPhasesAndOrientations) {
             EXPECT_EQ(
                 decode_inp(encode_inp(tile, {.materials = &materials}, "t.inp"), {}).materials,
                 materials);
-            EXPECT_EQ(decode_msh(encode_msh(tile, "t.msh", &materials), {}).materials, materials);
+            EXPECT_EQ(decode_msh(encode_msh(entity_mesh(tile, &materials), "t.msh"), {}).materials,
+                      materials);
         }
     }
     CellMaterials turned{.site_orientation = random_orientations(kSites, 2)};

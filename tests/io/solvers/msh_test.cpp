@@ -4,6 +4,7 @@
 
 #include "io/solvers/msh_reader.hpp"
 #include "io/solvers/msh_writer.hpp"
+#include "io/tile_formats.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
@@ -23,7 +24,7 @@ using ::testing::StartsWith;
 
 /// Two triangles on four nodes, each of which is an end of a seam segment.
 std::string msh_triangles() {
-    return encode_msh(testing::triangle_grid_tile(kSquare, 1, 1), "t.msh")[0].bytes;
+    return encode_msh(entity_mesh(testing::triangle_grid_tile(kSquare, 1, 1)), "t.msh")[0].bytes;
 }
 
 TileFile read_msh(const std::string& text, const std::optional<plane::Lattice>& lattice = {}) {
@@ -41,7 +42,7 @@ std::string msh_fault_with(const std::string& piece, const std::string& other) {
 
 TEST(Msh, TilesReadBackExactlyWithTheirPairs) {
     for (const plane::Tile& tile : testing::solver_tiles(testing::awkward_lattices())) {
-        const auto files = encode_msh(tile, "dir/t.msh");
+        const auto files = encode_msh(entity_mesh(tile), "dir/t.msh");
         ASSERT_EQ(files.size(), 1U);
         EXPECT_EQ(files[0].path, "dir/t.msh");
         const TileFile file = decode_msh(files, std::nullopt);
@@ -52,7 +53,8 @@ TEST(Msh, TilesReadBackExactlyWithTheirPairs) {
 
 TEST(Msh, CellsBecomeSurfacesAndTheirBoundariesCurves) {
     const std::string text =
-        encode_msh(testing::triangle_grid_tile(plane::Lattice({2, 0}, {1, 3}), 2, 1), "t.msh")[0]
+        encode_msh(entity_mesh(testing::triangle_grid_tile(plane::Lattice({2, 0}, {1, 3}), 2, 1)),
+                   "t.msh")[0]
             .bytes;
     EXPECT_THAT(text, HasSubstr("$PhysicalNames\n7\n1 3 \"seam_-1_0\"\n1 4 \"seam_0_-1\"\n"
                                 "1 5 \"seam_0_1\"\n1 6 \"seam_1_0\"\n1 7 \"grain_boundary\"\n"
@@ -76,7 +78,7 @@ TEST(Msh, CellsBecomeSurfacesAndTheirBoundariesCurves) {
 TEST(Msh, MidsideNodesHaveNoSite) {
     plane::Tile tile = testing::triangle_grid_tile(plane::Lattice::rectangle(1, 1), 2, 1);
     tile.order = 2;
-    const std::string text = encode_msh(tile, "t.msh")[0].bytes;
+    const std::string text = encode_msh(entity_mesh(tile), "t.msh")[0].bytes;
     // Six vertices and nine edges; vertices with points come first, midside nodes of curves after.
     EXPECT_THAT(text, HasSubstr("$NodeData\n1\n\"cell_id\"\n1\n0\n3\n0\n1\n15\n1 0\n2 1\n3 0\n"
                                 "4 0\n5 1\n6 0\n7 -1\n"));
@@ -115,13 +117,13 @@ TEST(Msh, TiesEachNodeByAnyOfItsLinksAndByCurvesAlone) {
                      std::to_string(tile.n_vertices()));
         const SolverNodes nodes = solver_nodes(tile);
         const int n_orbits = nodes.n_nodes() - static_cast<int>(nodes.pairs.size());
-        testing::expect_orbits(encode_msh(tile, "t.msh")[0].bytes, n_orbits);
+        testing::expect_orbits(encode_msh(entity_mesh(tile), "t.msh")[0].bytes, n_orbits);
     }
 }
 
 TEST(Msh, PolygonsAreRefusedWithARemedy) {
     try {
-        encode_msh(testing::grid_tile(kSquare, 2, 2), "t.msh");
+        encode_tile(*find_tile_format("t.msh"), testing::grid_tile(kSquare, 2, 2), "t.msh");
         FAIL();
     } catch (const InvalidInput& fault) {
         EXPECT_STREQ(fault.what(),
@@ -190,7 +192,7 @@ TEST(Msh, AWrongLinkIsRefuted) {
 
 TEST(Msh, AWrongLineOfTheSeamIsRefuted) {
     const std::string text =
-        encode_msh(testing::triangle_grid_tile(kSquare, 2, 2), "t.msh")[0].bytes;
+        encode_msh(entity_mesh(testing::triangle_grid_tile(kSquare, 2, 2)), "t.msh")[0].bytes;
     const TileFile file = read_msh(testing::exchanged(text, "\n13 9 8\n", "\n13 8 9\n"));
     EXPECT_THROW(compare_edge_pairs(file.tile, prove_tile(file.tile, file.precision)), NotATile);
     EXPECT_THAT(msh_fault(testing::exchanged(text, "\n13 9 8\n", "\n13 8 7\n")),
@@ -198,7 +200,8 @@ TEST(Msh, AWrongLineOfTheSeamIsRefuted) {
 }
 
 TEST(Msh, GroupsThatDoNotFitTheCellsAreRefused) {
-    const std::string text = encode_msh(testing::grain_grid_tile(kSquare, 2, 2), "t.msh")[0].bytes;
+    const std::string text =
+        encode_msh(entity_mesh(testing::grain_grid_tile(kSquare, 2, 2)), "t.msh")[0].bytes;
     const auto fault = [&](const std::string& piece, const std::string& other) {
         return msh_fault(testing::exchanged(text, piece, other));
     };
@@ -220,13 +223,13 @@ TEST(Msh, GroupsThatDoNotFitTheCellsAreRefused) {
 TEST(Msh, NonFiniteCoordinatesAreInternalErrors) {
     plane::Tile tile = testing::triangle_grid_tile(kSquare, 1, 1);
     tile.points[0].x() = std::nan("");
-    EXPECT_THROW(encode_msh(tile, "t.msh"), InternalError);
+    EXPECT_THROW(encode_msh(entity_mesh(tile), "t.msh"), InternalError);
 }
 
 TEST(Msh, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::mt19937_64 random(3);
     for (const plane::Tile& tile : testing::solver_tiles({kSquare})) {
-        const std::string bytes = encode_msh(tile, "t.msh")[0].bytes;
+        const std::string bytes = encode_msh(entity_mesh(tile), "t.msh")[0].bytes;
         int n_refused = 0;
         for (int k = 0; k < 300; ++k) {
             const std::string fault = msh_fault(testing::mutated(bytes, random));

@@ -19,7 +19,9 @@ using ::testing::HasSubstr;
 using testing::kSquare;
 using ::testing::StartsWith;
 
-std::string one_cell() { return encode_vtu(testing::grid_tile(kSquare, 1, 1), "t.vtu")[0].bytes; }
+std::string one_cell() {
+    return encode_vtu(vtu_grid(testing::grid_tile(kSquare, 1, 1)), "t.vtu")[0].bytes;
+}
 
 TileFile read_vtu(const std::string& text, const std::optional<plane::Lattice>& lattice = {}) {
     return decode_vtu({{"t.vtu", text}}, lattice);
@@ -41,7 +43,7 @@ TEST(Vtu, TilesReadBackExactlyWithTheirVertexPairs) {
         tiles.push_back(testing::grid_tile(lattice, 1, 1));
     }
     for (const plane::Tile& tile : tiles) {
-        const auto files = encode_vtu(tile, "dir/t.vtu");
+        const auto files = encode_vtu(vtu_grid(tile), "dir/t.vtu");
         ASSERT_EQ(files.size(), 1U);
         EXPECT_EQ(files[0].path, "dir/t.vtu");
         const TileFile file = decode_vtu(files, std::nullopt);
@@ -55,7 +57,7 @@ TEST(Vtu, CellsThatAreTrianglesStayPolygons) {
     tile.kind = plane::MeshKind::kVoronoi;
     tile.vertex_site.clear();
     for (int f = 0; f < tile.n_faces(); ++f) tile.face_site.push_back(f);
-    testing::expect_read_back(decode_vtu(encode_vtu(tile, "t.vtu"), {}), tile);
+    testing::expect_read_back(decode_vtu(encode_vtu(vtu_grid(tile), "t.vtu"), {}), tile);
 }
 
 TEST(Vtu, GridsOfOtherProgramsAreRead) {
@@ -128,7 +130,7 @@ TEST(Vtu, FaultsOfTheGridNameTheirLine) {
 
 /// Two orbits of the four sites of a grid.
 std::string with_orbits(const plane::Tile& tile) {
-    return encode_vtu(tile, "t.vtu", std::array{0, 1, 1, 0})[0].bytes;
+    return encode_vtu(vtu_grid(tile, nullptr, std::array{0, 1, 1, 0}), "t.vtu")[0].bytes;
 }
 
 TEST(Vtu, OrbitsReadBackFromCellsAndTriangles) {
@@ -146,9 +148,8 @@ TEST(Vtu, OrbitsReadBackFromCellsAndTriangles) {
 }
 
 std::string with_phases(const plane::Tile& tile) {
-    return encode_vtu(tile, "t.vtu", {},
-                      {.phase_names = {"soft", "2nd"}, .site_phase = {0, 1, 1, 0}})[0]
-        .bytes;
+    const CellMaterials materials{.phase_names = {"soft", "2nd"}, .site_phase = {0, 1, 1, 0}};
+    return encode_vtu(vtu_grid(tile, &materials), "t.vtu")[0].bytes;
 }
 
 TEST(Vtu, PhasesReadBackFromCellsAndGrains) {
@@ -210,7 +211,7 @@ TEST(Vtu, AWrongPairIsRefuted) {
 TEST(Vtu, NonFiniteCoordinatesAreInternalErrors) {
     plane::Tile tile = testing::grid_tile(kSquare, 1, 1);
     tile.points[0].x() = std::nan("");
-    EXPECT_THROW(encode_vtu(tile, "t.vtu"), InternalError);
+    EXPECT_THROW(encode_vtu(vtu_grid(tile), "t.vtu"), InternalError);
 }
 
 TEST(Vtu, DamagedFilesGiveATileOrAFaultAndNothingElse) {
@@ -218,7 +219,7 @@ TEST(Vtu, DamagedFilesGiveATileOrAFaultAndNothingElse) {
     std::vector<plane::Tile> tiles = testing::solver_tiles({kSquare});
     tiles.push_back(testing::grid_tile(kSquare, 2, 2));
     for (const plane::Tile& tile : tiles) {
-        const std::string bytes = encode_vtu(tile, "t.vtu")[0].bytes;
+        const std::string bytes = encode_vtu(vtu_grid(tile), "t.vtu")[0].bytes;
         int n_refused = 0;
         for (int k = 0; k < 300; ++k) {
             const std::string fault = vtu_fault(testing::mutated(bytes, random));

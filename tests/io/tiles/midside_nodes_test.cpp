@@ -93,20 +93,20 @@ TEST(FileMidsideNodes, EveryFormatRefusesAMovedOne) {
     tile.order = 2;
     // The middle of the diagonal is node 6 of nine.
     const std::string msh =
-        exchanged(encode_msh(tile, "")[0].bytes, "\n0.5 0.5 0\n", "\n0.5 0.51 0\n");
+        exchanged(encode_msh(entity_mesh(tile), "")[0].bytes, "\n0.5 0.5 0\n", "\n0.5 0.51 0\n");
     EXPECT_THROW(decode_msh({{"t.msh", msh}}, {}), BadFile);
     const std::string inp =
         exchanged(encode_inp(tile, {}, "")[0].bytes, ",0.5,0.5,0\n", ",0.5,0.51,0\n");
     EXPECT_THROW(decode_inp({{"t.inp", inp}}, {}), BadFile);
     const std::string vtu =
-        exchanged(encode_vtu(tile, "")[0].bytes, "\n0.5 0.5 0\n", "\n0.5 0.51 0\n");
+        exchanged(encode_vtu(vtu_grid(tile), "")[0].bytes, "\n0.5 0.5 0\n", "\n0.5 0.51 0\n");
     EXPECT_THROW(decode_vtu({{"t.vtu", vtu}}, {}), BadFile);
 }
 
 TEST(FileMidsideNodes, ALineWithTheWrongOneIsRefused) {
     plane::Tile tile = testing::triangle_grid_tile(plane::Lattice::rectangle(1, 1), 1, 1);
     tile.order = 2;
-    const std::string text = encode_msh(tile, "")[0].bytes;
+    const std::string text = encode_msh(entity_mesh(tile), "")[0].bytes;
     const std::size_t line = text.find("\n5 4 3 ");
     ASSERT_NE(line, std::string::npos);
     const std::string damaged =

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/finite_volume/extruded_mesh.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/mesh/outline.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "mesher/plane/tile/tile_builder.hpp"
+#include "mesher/space/mesh/cell_faces.hpp"
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/lattices.hpp"
+#include "tests/support/polyhedra.hpp"
 #include "tests/support/random_meshes.hpp"
 
 namespace pcvt {
@@ -36,7 +39,7 @@ TEST(CellFlow, TheMeansAreZero) {
         for (const plane::MeshKind kind : {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay}) {
             const plane::Tile tile = random_tile(lattice, 300, kind);
             const CellFlow cells = flow_on(tile);
-            plane::Vec2 momentum(0, 0);
+            Eigen::Vector3d momentum(0, 0, 0);
             double mass = 0;
             for (int f = 0; f < tile.n_faces(); ++f) {
                 const double area = plane::polygon_area(polygon_of(tile, f));
@@ -91,7 +94,7 @@ TEST(CellFlow, CellsThatCannotRepresentItStartAtRest) {
         for (const int n : {1, 2}) {
             const CellFlow cells = flow_on(random_tile(lattice, n, plane::MeshKind::kVoronoi));
             EXPECT_TRUE(cells.at_rest) << name << ' ' << n;
-            EXPECT_THAT(cells.velocity, Each(plane::Vec2(0, 0))) << name;
+            EXPECT_THAT(cells.velocity, Each(Eigen::Vector3d(0, 0, 0))) << name;
             EXPECT_THAT(cells.tracer, Each(0)) << name;
         }
     }
@@ -107,6 +110,23 @@ TEST(CellFlow, SmallCellsOfAnyKindMove) {
             EXPECT_FALSE(flow_on(random_tile(lattice, n, kind)).at_rest) << name << ' ' << n;
         }
     }
+}
+
+TEST(CellFlow, InSpaceItIsTheFlowAtTheCentroids) {
+    const space::Lattice cube = space::Lattice::box(1, 1, 1);
+    const space::PolyhedralMesh mesh = testing::mesh_of({"", cube, testing::grid_points(8)});
+    const BeltramiFlow flow(cube);
+    const CellFlow cells = cell_flow(flow, mesh);
+    const std::vector<space::CellBody> bodies = cell_bodies(mesh);
+    for (int s = 0; s < mesh.n_cells; ++s) {
+        EXPECT_EQ(cells.velocity[s], flow.velocity(bodies[s].centroid));
+    }
+    EXPECT_TRUE(cells.tracer.empty());
+    EXPECT_EQ(cells.rate, flow.rate());
+    EXPECT_EQ(cells.turn_time, flow.turn_time());
+    // At most sqrt(3) through the three pairs of faces of a cube with edges of length 1 / 8.
+    EXPECT_GT(cells.courant_rate, 8);
+    EXPECT_LT(cells.courant_rate, 8 * std::sqrt(3));
 }
 
 }  // namespace

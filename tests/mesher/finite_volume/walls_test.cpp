@@ -7,6 +7,7 @@
 
 #include "mesher/finite_volume/cell_flow.hpp"
 #include "mesher/finite_volume/extruded_base.hpp"
+#include "mesher/finite_volume/extruded_mesh.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "mesher/plane/tile/tile_edges.hpp"
@@ -43,7 +44,7 @@ TEST(ExtrudedWalls, ThePatchesAreTheEdgesOnWalls) {
             SCOPED_TRACE(std::string(walls_row(walls).word) + ' ' + mesh_kind_row(kind).word + ' ' +
                          std::to_string(n));
             plane::Tile tile = walled_tile(walls, cells, n, {.kind = kind});
-            plane::Tile back = extruded_base(extruded_mesh(tile));
+            plane::Tile back = extruded_base(extruded_mesh(tile), tile.lattice, kind);
             EXPECT_EQ(back.points, tile.points);
             EXPECT_EQ(back.walls, walls);
             EXPECT_EQ(back.wall_edges, tile.wall_edges);
@@ -59,16 +60,17 @@ TEST(ExtrudedWalls, ThePatchesAreTheEdgesOnWalls) {
 
 TEST(ExtrudedWalls, ThePatchesFollowTheSeamInTheOrderOfTheWalls) {
     std::vector<std::string> names;
-    for (const ExtrudedPatch& patch : extruded_mesh(channel(Walls::kXY)).patches) {
+    for (const FiniteVolumePatch& patch : extruded_mesh(channel(Walls::kXY)).patches) {
         names.push_back(patch.name);
     }
     EXPECT_THAT(names, ::testing::ElementsAre("wall_left", "wall_right", "wall_bottom", "wall_top",
                                               "back", "front"));
-    const ExtrudedMesh extruded = extruded_mesh(channel());
+    const FiniteVolumeMesh extruded = extruded_mesh(channel());
     const std::size_t n = extruded.patches.size();
     EXPECT_EQ(extruded.patches[n - 5].partner, static_cast<int>(n) - 6);
-    EXPECT_EQ(extruded.patches[n - 4].wall, plane::WallId::side(WallSide::kBottom));
-    EXPECT_EQ(extruded.patches[n - 3].wall, plane::WallId::side(WallSide::kTop));
+    EXPECT_EQ(extruded.patches[n - 4].name, "wall_bottom");
+    EXPECT_EQ(extruded.patches[n - 3].name, "wall_top");
+    EXPECT_EQ(extruded.patches[n - 3].kind, PatchKind::kWall);
 }
 
 TEST(ExtrudedWalls, TheThicknessIsTheGivenOne) {
@@ -80,12 +82,13 @@ TEST(ExtrudedWalls, TheThicknessIsTheGivenOne) {
 /// Returns the message of extruded_base, or of the proof of its edges on walls, for the extruded
 /// channel after `damage`, which gets the patch of the lower wall and the one of the upper wall.
 template <class Damage>
-std::string wall_fault_after(Damage damage) {
-    ExtrudedMesh extruded = extruded_mesh(channel());
+std::string wall_fault_after(Damage damage,
+                             const plane::Lattice& lattice = plane::Lattice::rectangle(2, 1)) {
+    FiniteVolumeMesh extruded = extruded_mesh(channel());
     const std::size_t n = extruded.patches.size();
-    damage(extruded, extruded.patches[n - 4], extruded.patches[n - 3]);
+    damage(extruded.patches[n - 4], extruded.patches[n - 3]);
     try {
-        const plane::Tile tile = extruded_base(extruded);
+        const plane::Tile tile = extruded_base(extruded, lattice, plane::MeshKind::kVoronoi);
         compare_wall_edges(tile, prove_tile(tile, plane::Precision::kDouble));
     } catch (const NotATile& fault) {
         return fault.what();
@@ -94,44 +97,38 @@ std::string wall_fault_after(Damage damage) {
 }
 
 TEST(ExtrudedWalls, FalseWallsAreRefused) {
-    using Patch = ExtrudedPatch;
-    EXPECT_EQ(wall_fault_after([](ExtrudedMesh&, Patch&, Patch&) {}), "");
+    using Patch = FiniteVolumePatch;
+    const auto no_damage = [](Patch&, Patch&) {};
+    EXPECT_EQ(wall_fault_after(no_damage), "");
     const char* const law = "law (4) of extruded meshes, walls";
-    EXPECT_THAT(wall_fault_after([](ExtrudedMesh&, Patch& low, Patch&) { low.name = "wall_top"; }),
-                HasSubstr("is not the wall wall_bottom"));
-    EXPECT_THAT(wall_fault_after([](ExtrudedMesh&, Patch& low, Patch& high) {
-                    std::swap(low.name, high.name);
-                    std::swap(low.wall, high.wall);
-                }),
+    EXPECT_THAT(wall_fault_after([](Patch& low, Patch&) { low.name = "wall_top"; }),
                 HasSubstr("lies off its patch wall_top"));
-    EXPECT_THAT(wall_fault_after([](ExtrudedMesh&, Patch& low, Patch& high) {
+    EXPECT_THAT(wall_fault_after([](Patch& low, Patch& high) { std::swap(low.name, high.name); }),
+                HasSubstr("lies off its patch wall_top"));
+    EXPECT_THAT(wall_fault_after([](Patch& low, Patch& high) {
                     low.name = "wall_left";
-                    low.wall = plane::WallId::side(WallSide::kLeft);
                     high.name = "wall_right";
-                    high.wall = plane::WallId::side(WallSide::kRight);
                 }),
                 HasSubstr(law));
-    EXPECT_THAT(wall_fault_after([](ExtrudedMesh&, Patch& low, Patch& high) {
+    EXPECT_THAT(wall_fault_after([](Patch& low, Patch& high) {
                     ++low.n_faces;
                     ++high.first_face;
                     --high.n_faces;
                 }),
                 HasSubstr("lies off its patch wall_bottom"));
-    EXPECT_THAT(wall_fault_after([](ExtrudedMesh&, Patch& low, Patch&) { low.partner = 0; }),
-                HasSubstr(law));
-    EXPECT_THAT(wall_fault_after([](ExtrudedMesh&, Patch& low, Patch&) { low.wall.reset(); }),
+    EXPECT_THAT(wall_fault_after([](Patch& low, Patch&) { low.partner = 0; }), HasSubstr(law));
+    EXPECT_THAT(wall_fault_after([](Patch& low, Patch&) { low.kind = PatchKind::kEmpty; }),
                 HasSubstr("a cell is open"));
-    EXPECT_THAT(wall_fault_after([](ExtrudedMesh& mesh, Patch&, Patch&) {
-                    mesh.lattice = plane::Lattice({2, 0}, {0.5, 1});
-                }),
-                HasSubstr("law ("));
+    EXPECT_THAT(wall_fault_after(no_damage, plane::Lattice({2, 0}, {0.5, 1})), HasSubstr("law ("));
 }
 
 TEST(ExtrudedWalls, AWallOnAnInnerLineIsNoWall) {
     // The upper wall lies at y = 1, not at the height.
-    ExtrudedMesh extruded = extruded_mesh(walled_tile(Walls::kXY, WallCells::kWhole, 12, {}));
-    extruded.lattice = plane::Lattice::rectangle(2, 1.5);
-    EXPECT_THROW(extruded_base(extruded), NotATile);
+    const FiniteVolumeMesh extruded =
+        extruded_mesh(walled_tile(Walls::kXY, WallCells::kWhole, 12, {}));
+    EXPECT_THROW(
+        extruded_base(extruded, plane::Lattice::rectangle(2, 1.5), plane::MeshKind::kVoronoi),
+        NotATile);
 }
 
 TEST(WalledFlow, VanishesOnWallsAndHasNoDivergence) {

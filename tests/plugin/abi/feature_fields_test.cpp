@@ -38,7 +38,9 @@ TEST(FeatureFields, FeaturesOfBothDimensionsHaveNoFieldToRefuse) {
 
 TEST(FeatureFields, AWordFindsItsRow) {
     for (const FeatureRow& row : features()) {
-        if (!row.option.empty()) EXPECT_EQ(find_option(row.option), &row);
+        if (!row.option.empty()) {
+            EXPECT_EQ(find_option(row.option), &row);
+        }
     }
     EXPECT_EQ(find_option("--threads"), nullptr);
     EXPECT_EQ(find_field("n_threads"), nullptr);

@@ -62,7 +62,8 @@ Job some_job(std::uint64_t seed) {
     job.in_plane().lattice = testing::random_lattice(random);
     job.n_sites = 1 + below(random, below(random, 3) == 0 ? 8 : 60);
     job.run.max_iterations = std::array{0, 1, 4}[below(random, 3)];
-    if (below(random, 3) == 0) job.in_plane().points = some_sites(random, job.in_plane().lattice, job.n_sites);
+    if (below(random, 3) == 0)
+        job.in_plane().points = some_sites(random, job.in_plane().lattice, job.n_sites);
     const int kind = below(random, 3);
     if (kind != 0) job.areas = some_areas(random, job.n_sites);
     if (kind != 1) {
@@ -159,7 +160,7 @@ TEST(JobAreas, EdgesBendAtCornersOfTheBoxOnly) {
     Job job;
     job.seed = 6;
     job.in_plane().lattice = plane::Lattice({0.32141887474073716, 1.4764704141323493},
-                                 {-0.81384407912267953, -4.2811419902297212});
+                                            {-0.81384407912267953, -4.2811419902297212});
     job.n_sites = 28;
     job.run.max_iterations = 4;
     job.aspect = Aspect{.ratio = 3.0534802623573647, .degrees = 171.91731786629538};

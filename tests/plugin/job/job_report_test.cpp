@@ -87,7 +87,8 @@ TEST(JobReport, APatternIsTheLastKey) {
     plane::LatticePattern lattice =
         plane::lattice_pattern(plane::Lattice({1, 0}, {0, 1}), {.a = 2, .b = 1, .d = 1});
     lattice.energy = 0.25;
-    summary.start.pattern = PatternOutcome<plane::LatticePattern>{.lattice = lattice, .stability = {}};
+    summary.start.pattern =
+        PatternOutcome<plane::LatticePattern>{.lattice = lattice, .stability = {}};
     summary.start.pattern->stability.minimum = Minimum::kNo;
     EXPECT_EQ(report(summary).back().dump(),
               "{\"basis\":[[0.5,0.5],[-0.5,0.5]],\"hermite\":[2,1,1],\"energy\":0.25,"

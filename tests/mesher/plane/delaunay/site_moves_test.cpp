@@ -49,7 +49,8 @@ TEST(SiteMoves, AreUndoneExactly) {
 TEST(SiteMoves, OmitWholePeriods) {
     Eigen::VectorXf direction(4);
     const Vec2 periods = kOblique.to_position({3, -2});
-    direction << periods.cast<float>(), (periods + kOblique.to_position({0.25, -0.375})).cast<float>();
+    direction << periods.cast<float>(),
+        (periods + kOblique.to_position({0.25, -0.375})).cast<float>();
     const SiteMoves moves(kOblique, direction, 1);
     EXPECT_LT(moves.of(0).norm(), 1e-6);
     EXPECT_LT((moves.of(1) - Vec2(0.25, -0.375)).norm(), 1e-6);

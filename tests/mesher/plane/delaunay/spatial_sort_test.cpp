@@ -111,7 +111,8 @@ TEST(Numbering, ByColumnsTwiceIsByColumnsOnce) {
         const Sites once = numbered(Sites(lattice, uniform_points(lattice, 500, 3)));
         EXPECT_EQ(numbered(once).coordinates(), once.coordinates()) << name;
         Points grid(2, 144);
-        for (int k = 0; k < 144; ++k) grid.col(k) = lattice.to_position({k % 9 / 9.0, k / 9 / 16.0});
+        for (int k = 0; k < 144; ++k)
+            grid.col(k) = lattice.to_position({k % 9 / 9.0, k / 9 / 16.0});
         const Sites square = numbered(Sites(lattice, grid));
         EXPECT_EQ(numbered(square).coordinates(), square.coordinates()) << name;
     }

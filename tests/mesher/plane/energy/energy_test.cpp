@@ -234,7 +234,8 @@ Eigen::VectorXf flattening(const MovingDelaunay& delaunay, int h, double part, d
     };
     const int next = TorusTriangulation::next(h);
     const Vec2 p = delaunay.frame().to_position(difference(at(h), at(next)));
-    const Vec2 q = delaunay.frame().to_position(difference(at(h), at(TorusTriangulation::next(next))));
+    const Vec2 q =
+        delaunay.frame().to_position(difference(at(h), at(TorusTriangulation::next(next))));
     const Vec2 above(p.y() - q.y(), q.x() - p.x());
     const Vec2 move = p + part * (q - p) + height * delaunay.spacing() * above.normalized();
     Eigen::VectorXf direction = Eigen::VectorXf::Zero(2 * delaunay.n_sites());

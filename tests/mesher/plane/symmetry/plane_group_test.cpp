@@ -73,8 +73,9 @@ TEST(PlaneGroup, IsClosedAndKeepsTheGramMatrix) {
                     }
                     for (const Vec2& u : {Vec2(1, 0), Vec2(0, 1), Vec2(1, 1)}) {
                         const Vec2 turned = g(u) - g(Vec2(0, 0));
-                        EXPECT_NEAR(reduced.to_position(turned).norm() / reduced.to_position(u).norm(), 1,
-                                    1e-12);
+                        EXPECT_NEAR(
+                            reduced.to_position(turned).norm() / reduced.to_position(u).norm(), 1,
+                            1e-12);
                     }
                 }
             }
@@ -92,7 +93,8 @@ TEST(PlaneGroup, ActsAlikeInTheReducedBasis) {
                 const Vec2 given =
                     lattice.to_position(group.given_operations()[k](lattice.to_lattice(p)));
                 const Lattice& reduced = group.reduction().reduced;
-                const Vec2 other = reduced.to_position(group.operations()[k](reduced.to_lattice(p)));
+                const Vec2 other =
+                    reduced.to_position(group.operations()[k](reduced.to_lattice(p)));
                 const Vec2 periods = lattice.to_lattice(given - other);
                 EXPECT_LT((periods.array() - periods.array().round()).abs().maxCoeff(), 1e-9)
                     << published.order << " " << group.row().word;

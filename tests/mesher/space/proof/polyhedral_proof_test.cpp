@@ -61,8 +61,12 @@ TEST(ProvePolyhedra, NamesTheBrokenSeam) {
     expect_refuted("(3)", [](PolyhedralMesh& mesh) {
         for (Vec3& p : mesh.points) p.x() *= 1 + 1e-12;
     });
-    expect_refuted("(3)", [](PolyhedralMesh& mesh) { mesh.patches[0].offset.i += 1; });
+    expect_refuted("(3)", [](PolyhedralMesh& mesh) { mesh.patches[0].offset[0] += 1; });
     expect_refuted("(3)", [](PolyhedralMesh& mesh) { mesh.patches[0].partner = 0; });
+    expect_refuted("another translation",
+                   [](PolyhedralMesh& mesh) { mesh.patches[0].separation.x() += 1e-15; });
+    expect_refuted("another translation",
+                   [](PolyhedralMesh& mesh) { mesh.patches[0].name = mesh.patches[1].name; });
     expect_refuted("(3)", [](PolyhedralMesh& mesh) {
         // The same face from another corner.
         auto* const corners = mesh.faces.corners.data();
@@ -81,7 +85,7 @@ TEST(ProvePolyhedra, NamesTheBrokenOrbit) {
 /// Two cubes that share an edge, or a corner, alone.
 TEST(BoundaryIsManifold, FindsPinchedEdgesAndPoints) {
     for (const Vec3& step : {Vec3(1, 1, 0), Vec3(1, 1, 1)}) {
-        PolyhedralMesh mesh{.lattice = Lattice::box(9, 9, 9)};
+        PolyhedralMesh mesh{{}, Lattice::box(9, 9, 9)};
         const auto point = [&](const Vec3& p) {
             const auto found = std::find(mesh.points.begin(), mesh.points.end(), p);
             if (found == mesh.points.end()) mesh.points.push_back(p);

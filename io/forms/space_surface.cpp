@@ -1,0 +1,147 @@
+#include "io/forms/space_surface.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "mesher/base/checkpoint.hpp"
+
+namespace pcvt {
+namespace {
+
+/// Truncated octahedra have this many faces; like hexagons they are pale, and others stand out.
+constexpr int kUsualFaces = 14;
+constexpr int kUsualSides = 6;
+
+constexpr const char* kCellsExplanation =
+    "A periodic tile of polyhedra, written by pcvt. Comments that begin with \"# pcvt\" hold:\n"
+    "  lattice ax ay az bx by bz cx cy cz   the period vectors a, b and c\n"
+    "  site x y z                           the site of cell 0, 1, ...\n"
+    "Each group is a cell; neighbours share points, and each has the face between them.\n";
+constexpr const char* kBoundaryExplanation =
+    "The boundary of a periodic tile of polyhedra, written by pcvt. Comments that begin with\n"
+    "\"# pcvt\" hold:\n"
+    "  lattice ax ay az bx by bz cx cy cz   the period vectors a, b and c\n"
+    "  site x y z                           the site of cell 0, 1, ...\n"
+    "  cells s ...                          the cell behind each face, from 0\n"
+    "  face_pair f g i j k                  face f + i a + j b + k c is face g, from 1\n"
+    "Each group is a side of the seam.\n";
+
+const char* explanation_of(SurfaceForm form, SeamForm seam) {
+    const bool is_boundary = form == SurfaceForm::kBoundary;
+    if (seam == SeamForm::kLines) return is_boundary ? kBoundaryExplanation : kCellsExplanation;
+    return is_boundary ? "The boundary of a periodic tile of polyhedra, written by pcvt\n"
+                       : "The cells of a periodic tile of polyhedra, written by pcvt\n";
+}
+
+/// Makes a group of each run of faces with equal keys.
+template <class Key>
+void add_groups(SurfaceMesh& mesh, const Key& key) {
+    for (int f = 0; f < mesh.faces.n_faces(); ++f) {
+        checkpoint_each(f);
+        if (f == 0 || key(f) != key(f - 1)) mesh.groups.push_back({.name = {}, .first_face = f});
+    }
+}
+
+void add_cells(SurfaceMesh& mesh, const std::vector<SiteId>& cell) {
+    add_groups(mesh, [&](int f) { return cell[f]; });
+    const auto n_faces = [&](std::size_t g) {
+        return mesh.group_end(g) - mesh.groups[g].first_face;
+    };
+    std::map<int, int> class_of;
+    for (std::size_t g = 0; g < mesh.groups.size(); ++g) class_of[n_faces(g)] = 0;
+    for (auto& [count, colour] : class_of) {
+        colour = static_cast<int>(mesh.classes.size());
+        mesh.classes.push_back({.colour = side_colour(count - kUsualFaces + kUsualSides),
+                                .name = "faces_" + std::to_string(count),
+                                .label = {}});
+    }
+    for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
+        mesh.groups[g].name = "cell_" + std::to_string(cell[mesh.groups[g].first_face]);
+        mesh.face_class.insert(mesh.face_class.end(), static_cast<std::size_t>(n_faces(g)),
+                               class_of[n_faces(g)]);
+    }
+}
+
+void add_sides(SurfaceMesh& mesh, const std::vector<space::Offset>& offsets) {
+    add_groups(mesh, [&](int f) { return offsets[f]; });
+    // Both sides of a seam have one colour.
+    std::map<space::Offset, int> class_of;
+    for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
+        FaceGroup& group = mesh.groups[g];
+        const space::Offset offset = offsets[group.first_face];
+        group.name = seam_name(offset);
+        const int next = static_cast<int>(mesh.classes.size());
+        const auto [found, is_new] = class_of.try_emplace(std::max(offset, -offset), next);
+        mesh.face_class.insert(mesh.face_class.end(),
+                               static_cast<std::size_t>(mesh.group_end(g) - group.first_face),
+                               found->second);
+        if (!is_new) continue;
+        mesh.classes.push_back({.colour = seam_colour(static_cast<std::size_t>(next)),
+                                .name = seam_name(found->first),
+                                .label = {}});
+    }
+}
+
+NoteTable lattice_note(const space::Lattice& lattice) {
+    std::vector<double> numbers;
+    for (const space::Vec3& period : lattice.periods()) {
+        numbers.insert(numbers.end(), period.begin(), period.end());
+    }
+    return {.word = "lattice", .width = numbers.size(), .numbers = std::move(numbers)};
+}
+
+NoteTable face_pairs(const space::TileSurface& surface) {
+    std::vector<int> rows;
+    for (int f = 0; f < surface.n_faces(); ++f) {
+        const auto [i, j, k] = surface.offset[f];
+        if (surface.offset[f] < space::Offset{}) continue;
+        rows.insert(rows.end(), {f, surface.partner[f], i, j, k});
+    }
+    return {.word = "face_pair", .width = 5, .n_indices = 2, .numbers = std::move(rows)};
+}
+
+NoteTable face_partners(const space::TileSurface& surface) {
+    std::vector<int> rows;
+    for (int f = 0; f < surface.n_faces(); ++f) {
+        const auto [i, j, k] = surface.offset[f];
+        rows.insert(rows.end(), {surface.partner[f], i, j, k});
+    }
+    return {.columns = "partner offset_i offset_j offset_k",
+            .of = NoteOf::kFaces,
+            .width = 4,
+            .numbers = std::move(rows)};
+}
+
+}  // namespace
+
+SurfaceMesh surface_mesh(SurfaceList list, SeamForm seam) {
+    space::TileSurface& surface = list.surface;
+    const bool is_boundary = list.form == SurfaceForm::kBoundary;
+    SurfaceMesh mesh{.explanation = explanation_of(list.form, seam),
+                     .kind = is_boundary ? "boundary" : "polyhedra"};
+    mesh.notes.push_back(lattice_note(surface.lattice));
+    const double* const sites = surface.sites.data();
+    mesh.notes.push_back({.word = "site",
+                          .columns = "x y z",
+                          .of = NoteOf::kSites,
+                          .width = 3,
+                          .numbers = std::vector<double>(sites, sites + surface.sites.size())});
+    if (is_boundary && seam == SeamForm::kLines) {
+        mesh.notes.push_back({.word = "cells", .of = NoteOf::kFaces, .numbers = surface.cell});
+        mesh.notes.push_back(face_pairs(surface));
+    } else if (seam == SeamForm::kColumns) {
+        mesh.notes.push_back({.columns = "cell", .of = NoteOf::kFaces, .numbers = surface.cell});
+        if (is_boundary) mesh.notes.push_back(face_partners(surface));
+    }
+    mesh.points = std::move(surface.points);
+    mesh.faces = std::move(surface.faces);
+    if (is_boundary) {
+        add_sides(mesh, surface.offset);
+    } else {
+        add_cells(mesh, surface.cell);
+    }
+    return mesh;
+}
+
+}  // namespace pcvt

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "io/bytes/text.hpp"
+#include "io/tiles/note_table.hpp"
+#include "mesher/space/tile/tile_surface.hpp"
+
+namespace pcvt {
+
+/// What a file of surfaces shows: every cell of a tile, or the boundary of the tile.
+enum class SurfaceForm { kCells, kBoundary };
+
+struct SurfaceFormRow {
+    SurfaceForm form;
+    const char* word;
+    int abi_value;
+};
+inline constexpr std::array kSurfaceForms{SurfaceFormRow{SurfaceForm::kCells, "cells", 0},
+                                          SurfaceFormRow{SurfaceForm::kBoundary, "boundary", 1}};
+
+/// Surfaces in space as files list them. Those of cells have no pairs; their faces follow cell
+/// after cell, and `cell` is that of each face.
+struct SurfaceList {
+    SurfaceForm form = SurfaceForm::kCells;
+    space::TileSurface surface = {.lattice = space::Lattice::box(1, 1, 1)};
+};
+
+/// Returns the surfaces of the cells of a tile, or of its boundary.
+///
+/// Example usage:
+///     const SurfaceList list = surface_list(tile.mesh, tile.sites, SurfaceForm::kCells);
+///     const space::PolyhedralMesh same = assembled_cells(list, "tile.obj");
+SurfaceList surface_list(const space::PolyhedralMesh& mesh, const space::Points& sites,
+                         SurfaceForm form);
+
+/// Collects the surfaces that the comments of a file state beside its points and faces.
+///
+/// Example usage:
+///     SurfaceListBuilder builder;
+///     if (!builder.take_comment(scanner, "kind", words)) scanner.throw_bad_file("...");
+///     return builder.finish(path);
+class SurfaceListBuilder {
+   public:
+    /// Reads the words after the key of the comments `kind polyhedra|boundary`, `lattice`, `site`,
+    /// `cells` and `face_pair`; faces are counted from 1.
+    /// @returns whether the key is one of these.
+    /// @throws BadFile with the line.
+    bool take_comment(const LineScanner& scanner, std::string_view key,
+                      std::span<const std::string_view> words);
+
+    /// Gives the surfaces, whose points and faces the reader has added, what the comments state.
+    /// @throws BadFile  naming the file: the lattice is missing, or a pair names a missing face.
+    SurfaceList finish(const std::string& path) &&;
+
+    SurfaceList list = {};
+
+   private:
+    void link_pairs(const std::string& path);
+
+    bool has_lattice_ = false;
+    /// The notes `lattice`, `site`, `cells` and `face_pair`.
+    std::array<NoteTable, 4> notes_{
+        NoteTable{.word = "lattice", .width = 9, .numbers = std::vector<double>()},
+        NoteTable{.word = "site", .width = 3, .numbers = std::vector<double>()},
+        NoteTable{.word = "cells"}, NoteTable{.word = "face_pair", .width = 5, .n_indices = 2}};
+};
+
+/// Requires that an offset that a file states is not too large to add.
+/// @throws BadFile naming the file.
+space::Offset stated_offset(int i, int j, int k, const std::string& path);
+
+/// Requires the faces of a list that was read from a file to have corners, and these to be points.
+/// @throws BadFile naming the file.
+void require_faces(const SurfaceList& list, const std::string& path);
+
+/// Makes the tile of a list of cells that was read from a file.
+/// @throws BadFile   naming the file: as require_faces(), the faces of a cell do not follow each
+///                   other, or there is not one site a cell.
+/// @throws NotATile  as assembled_mesh().
+space::PolyhedralMesh assembled_cells(SurfaceList list, const std::string& path);
+
+/// Whether a file says in a comment at its head that it holds surfaces in space.
+bool states_surfaces(std::string_view bytes);
+
+}  // namespace pcvt

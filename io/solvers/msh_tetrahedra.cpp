@@ -1,0 +1,145 @@
+#include "io/solvers/msh_tetrahedra.hpp"
+
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "io/bytes/text.hpp"
+#include "io/forms/lattice_numbers.hpp"
+#include "io/forms/point_offsets.hpp"
+#include "io/solvers/msh_fields.hpp"
+#include "io/solvers/msh_sections.hpp"
+#include "io/solvers/msh_writer.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+
+class TetrahedraParser final : public MshSections {
+   public:
+    using MshSections::MshSections;
+
+    space::TetrahedralMesh read() {
+        parse();
+        if (!mesh_) throw BadFile(name() + ": states no lattice; write the file again with pcvt");
+        if (mesh_->points.empty() || mesh_->tetrahedra.empty()) {
+            throw BadFile(name() + ": holds no tetrahedron; give the whole file");
+        }
+        if (mesh_->point_site.size() != mesh_->points.size()) {
+            throw BadFile(name() +
+                          ": $NodeData \"cell_id\" does not state the site of each node; write the "
+                          "file again with pcvt");
+        }
+        find_point_offsets(name(), *mesh_);
+        return *std::move(mesh_);
+    }
+
+   private:
+    struct Node {
+        int number;
+        int line;
+        Position position;
+    };
+
+    void take_comment() override {
+        const MshRows::Words& words = rows().words();
+        if (words.size() < 2 || words[0] != "pcvt" || words[1] != "lattice") return;
+        constexpr std::size_t kWords = 11;
+        if (words.size() != kWords) rows().throw_bad_file("the lattice has nine numbers");
+        std::vector<double> periods;
+        for (std::size_t k = 2; k < kWords; ++k) periods.push_back(rows().number(k));
+        try {
+            mesh_ = space::TetrahedralMesh{.lattice = lattice_from<space::Lattice>(periods)};
+        } catch (const InvalidInput& fault) {
+            rows().throw_bad_file(fault.what());
+        }
+    }
+
+    space::TetrahedralMesh& mesh() {
+        if (!mesh_) rows().throw_bad_file("the lattice comes before this; write the file again");
+        return *mesh_;
+    }
+
+    void take_node(int number, int line, const Position& position) override {
+        nodes_.push_back({number, line, position});
+    }
+
+    void end_nodes() override {
+        std::vector<space::Vec3>& points = mesh().points;
+        points.assign(nodes_.size(), space::Vec3::Constant(kNowhere));
+        for (const auto& [number, line, position] : nodes_) {
+            const std::string place = name() + ":" + std::to_string(line) + ": ";
+            if (number < 1 || std::cmp_greater(number, points.size())) {
+                throw BadFile(place + std::to_string(number) + " is not a number from 1 to " +
+                              std::to_string(points.size()) + "; correct it");
+            }
+            space::Vec3& point = points[number - 1];
+            if (point.x() != kNowhere) {
+                throw BadFile(place + "node " + std::to_string(number) + " occurs twice");
+            }
+            point = {position[0], position[1], position[2]};
+        }
+    }
+
+    /// Returns the number of a node minus 1.
+    int node(std::size_t word) {
+        const int number = rows().integer(word);
+        if (number < 1 || number > mesh().n_points()) {
+            rows().throw_bad_file(std::to_string(number) + " is not a number from 1 to " +
+                                  std::to_string(mesh().n_points()) + "; correct it");
+        }
+        return number - 1;
+    }
+
+    bool takes(const ElementType* type, int /*number*/) override {
+        return type != nullptr && type->kind == ElementKind::kTetrahedron4;
+    }
+
+    void take_element(const ElementType& /*type*/, int /*dimension*/, int /*entity*/) override {
+        std::array<int, 4>& corners = mesh().tetrahedra.emplace_back();
+        for (std::size_t i = 0; i < 4; ++i) corners[i] = node(i + 1);
+    }
+
+    bool takes_sites(bool of_nodes, int n_values) override {
+        if (!of_nodes) return false;
+        if (n_values != mesh().n_points())
+            rows().throw_bad_file("the view has not one site a node");
+        mesh().point_site.assign(mesh().points.size(), -1);
+        return true;
+    }
+
+    void take_site(bool /*of_nodes*/) override {
+        SiteId& site = mesh().point_site[node(0)];
+        if (site >= 0) rows().throw_bad_file("the node occurs twice; correct it");
+        site = rows().integer(1);
+        if (site < 0 || site >= mesh().n_points()) {
+            rows().throw_bad_file(std::to_string(site) + " is no site; correct it");
+        }
+    }
+
+    std::optional<space::TetrahedralMesh> mesh_;
+    std::vector<Node> nodes_;
+};
+
+}  // namespace
+
+bool holds_msh_tetrahedra(const EncodedFile& msh) {
+    const std::string comment = "pcvt kind " + std::string(kTetrahedraKind);
+    const std::size_t at = msh.bytes.find(comment);
+    if (at == std::string::npos) return false;
+    const char next = msh.bytes[at + comment.size()];
+    return next == '\n' || next == '\r';
+}
+
+space::TetrahedralMesh decode_msh_tetrahedra(const EncodedFile& msh) {
+    refuse_binary(msh.path, msh.bytes, "save it as ASCII, MSH 4.1");
+    return TetrahedraParser(msh.path, msh.bytes).read();
+}
+
+void compare_msh_tetrahedra(const EncodedFile& msh, const space::TetrahedralMesh& mesh) {
+    const std::vector<EncodedFile> expected = encode_msh(entity_mesh(mesh), msh.path);
+    compare_fields(*msh_fields(msh.path, msh.bytes), *msh_fields(msh.path, expected.front().bytes));
+}
+
+}  // namespace pcvt

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "io/forms/space_tile.hpp"
+#include "io/tiles/encoded_file.hpp"
+#include "mesher/space/mesh/tetrahedral_mesh.hpp"
+
+namespace pcvt {
+
+/// Returns whether a VTU holds polyhedra.
+bool holds_vtu_polyhedra(const EncodedFile& vtu);
+
+/// Returns whether a VTU states three period vectors and holds no polyhedra.
+bool holds_vtu_tetrahedra(const EncodedFile& vtu);
+
+/// Reads a VTU of polyhedra as encode_vtu() writes it. Joins the cells by their positions, and
+/// compares the orbits of the points, the numbers of the faces and the volumes that the file states
+/// with those of the cells.
+///
+/// Example usage:
+///     const SpaceTile tile = decode_vtu_polyhedra({"tile.vtu", read_whole_file("tile.vtu")});
+///     const PolyhedralProof proof = prove_polyhedra(tile.mesh);
+///
+/// @param tolerance  within which partners on the seam agree at least, length units.
+/// @throws BadFile   the text is no such file, or states something else of its cells.
+/// @throws NotATile  a face has no partner, or more than two cells.
+SpaceTile decode_vtu_polyhedra(const EncodedFile& vtu, double tolerance = 0);
+
+/// Reads a VTU of tetrahedra as encode_vtu() writes it, also after another program has written it
+/// again. The offsets of the points follow from their positions; those that the file states, and
+/// the points of which they are images, are compared with these.
+///
+/// Example usage:
+///     const TetrahedralMesh mesh = decode_vtu_tetrahedra({"t.vtu", read_whole_file("t.vtu")});
+///     const TetrahedralProof proof = prove_tetrahedra(mesh);
+///
+/// @throws BadFile with the line.
+space::TetrahedralMesh decode_vtu_tetrahedra(const EncodedFile& vtu);
+
+/// Compares a file that pcvt wrote with the one that encode_vtu() gives for its tetrahedra; accepts
+/// files of other programs.
+/// @throws BadFile  naming the line.
+void compare_vtu_tetrahedra(const EncodedFile& vtu, const space::TetrahedralMesh& mesh);
+
+}  // namespace pcvt
