@@ -96,8 +96,9 @@ SpaceFileOptions space_file_options(const std::string& path, const pcvt_write_op
     files.mesh =
         space_row("kind", options.kind, kSpaceMeshes, "PCVT_VORONOI or PCVT_DELAUNAY").mesh;
     files.surfaces = chosen_row("surface", options.surface, kSurfaceForms).form;
-    const SpaceFormat* const format = find_space_format(path);
-    const bool has_surfaces = format == nullptr || format->surfaces == FormatSurfaces::kChosen;
+    const Format* const format = find_format(path);
+    const bool has_surfaces =
+        format == nullptr || !format->space || format->space->surfaces == FormatSurfaces::kChosen;
     if (options.surface != PCVT_SURFACE_CELLS && !has_surfaces) {
         throw InvalidInput("surface is for " + surface_extensions() + "; leave it at its default");
     }

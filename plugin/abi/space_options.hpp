@@ -1,7 +1,7 @@
 #pragma once
 
+#include "plugin/job/space_job.hpp"
 #include "plugin/pcvt.h"
-#include "plugin/space/space_job.hpp"
 
 namespace pcvt::abi {
 

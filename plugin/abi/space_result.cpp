@@ -7,8 +7,8 @@
 #include "plugin/abi/guard.hpp"
 #include "plugin/abi/run_status.hpp"
 #include "plugin/job/job_memory.hpp"
-#include "plugin/space/space_files.hpp"
-#include "plugin/space/space_memory.hpp"
+#include "plugin/job/space_files.hpp"
+#include "plugin/job/space_memory.hpp"
 
 namespace pcvt::abi {
 namespace {
@@ -142,7 +142,7 @@ bool SpaceResult::write(const SpaceWriteRequest& request, const JobCallback& cal
     job.report = request.report;
     job.space_files = request.files;
     job.force = request.replace;
-    plan_space_files(job);
+    plan_files(job);
     const SpaceTileSource make_tile = [this](JobMonitor& monitor) -> const ProvedSpaceTile& {
         return tile(monitor);
     };

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "plugin/abi/lazy.hpp"
+#include "plugin/job/space_job.hpp"
 #include "plugin/pcvt.h"
-#include "plugin/space/space_job.hpp"
 
 namespace pcvt::abi {
 

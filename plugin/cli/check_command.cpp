@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "io/bytes/text.hpp"
-#include "io/tile_formats.hpp"
+#include "io/formats/formats.hpp"
 #include "mesher/cells/target_areas.hpp"
 #include "plugin/cli/cell_options.hpp"
 #include "plugin/cli/check_proof.hpp"

@@ -7,11 +7,11 @@
 
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/text.hpp"
-#include "io/file_proof.hpp"
+#include "io/formats/file_proof.hpp"
+#include "io/formats/formats.hpp"
+#include "io/formats/space_format.hpp"
 #include "io/gltf/gltf_place.hpp"
 #include "io/outputs/recovery.hpp"
-#include "io/space_formats.hpp"
-#include "io/tile_formats.hpp"
 #include "mesher/base/law_violation.hpp"
 #include "mesher/plane/density/density_centroid.hpp"
 #include "mesher/plane/proof/validate_voronoi.hpp"
@@ -26,8 +26,8 @@
 namespace pcvt::cli {
 namespace {
 
-const TileFormat& readable_format(const std::string& path) {
-    const TileFormat* format = find_tile_format(path);
+const Format& readable_format(const std::string& path) {
+    const Format* format = find_format(path);
     if (format == nullptr || !format->is_readable()) {
         throw BadFile(path + ": not a format that is read back; give one of " +
                       readable_extensions());
@@ -36,7 +36,7 @@ const TileFormat& readable_format(const std::string& path) {
 }
 
 /// The file, and those of its companions that are beside it.
-std::vector<EncodedFile> read_files(const TileFormat& format, const std::string& path) {
+std::vector<EncodedFile> read_files(const Format& format, const std::string& path) {
     const std::vector<std::string> paths = format.paths(path);
     std::vector<EncodedFile> files = {{paths[0], read_whole_file(paths[0])}};
     for (std::size_t p = 1; p < paths.size(); ++p) {
@@ -159,7 +159,7 @@ std::string orbits_text(const std::vector<int>& orbits) {
 }
 
 /// The proof of an MPAS file as a line.
-std::string prove_grid(GridReader* read, const TileFormat& format, const std::string& path,
+std::string prove_grid(GridReader* read, const Format& format, const std::string& path,
                        const Question& question) {
     if (question.cvt_tolerance) {
         throw BadFile(path + ": --cvt is not for MPAS files; check a tile of the same run");
@@ -198,7 +198,7 @@ std::string unseen_text(const std::vector<SiteId>& unseen) {
 }
 
 /// The proof of a voxel image as a line.
-std::string prove_voxel_image(VoxelReader* read, const TileFormat& format, const std::string& path,
+std::string prove_voxel_image(VoxelReader* read, const Format& format, const std::string& path,
                               const Question& question) {
     if (question.cvt_tolerance) {
         throw BadFile(path + ": --cvt is not for voxels; check a tile of the same run");
@@ -245,8 +245,7 @@ std::string prove_tile_in_space(const std::string& path, const std::vector<Encod
 
 /// As prove_file().
 /// @throws NotATile  also with the tolerance that would suffice.
-plane::TileProof prove_seam_and_fields(const TileFormat& format,
-                                       const std::vector<EncodedFile>& files,
+plane::TileProof prove_seam_and_fields(const Format& format, const std::vector<EncodedFile>& files,
                                        const TileFile& file) {
     try {
         return prove_file(format, files, file);
@@ -269,8 +268,8 @@ std::string seam_text(const plane::TileProof& proof) {
 
 /// The proof of a tile as a line.
 /// @param content  becomes the thing that the file states to be.
-std::string prove_one_tile(const TileFormat& format, const std::string& path,
-                           const Question& question, std::string& content) {
+std::string prove_one_tile(const Format& format, const std::string& path, const Question& question,
+                           std::string& content) {
     const std::vector<EncodedFile> files = read_files(format, path);
     if (const std::optional<SpaceFileKind> kind = space_file_kind(files)) {
         content = space_content_text(*kind);
@@ -298,7 +297,7 @@ std::string prove_one_tile(const TileFormat& format, const std::string& path,
 }  // namespace
 
 std::string prove(const std::string& path, const Question& question) {
-    const TileFormat& format = readable_format(path);
+    const Format& format = readable_format(path);
     if (const std::optional<std::string> journal = unfinished_set_of(format.paths(path))) {
         throw BadFile(path + ": a run ended before it had written all files of its set (" +
                       *journal + "); run pcvt again in that folder, which finishes the set");

@@ -8,7 +8,7 @@
 
 #include "io/bytes/nearest_word.hpp"
 #include "io/bytes/text.hpp"
-#include "io/tile_formats.hpp"
+#include "io/formats/formats.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
 #include "plugin/cli/manual/manual_page.hpp"
@@ -51,7 +51,7 @@ std::string density_help() {
 
 std::string formats_help() {
     std::string text = "The extension of -o FILE chooses the format.\n\n";
-    for (const TileFormat& format : tile_formats()) {
+    for (const Format& format : formats()) {
         text += "  " + std::string(format.extension) +
                 std::string(8 - format.extension.size(), ' ') + std::string(format.description) +
                 (format.is_readable() ? "; pcvt check reads it" : "") + "\n";

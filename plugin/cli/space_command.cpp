@@ -18,7 +18,7 @@
 #include "plugin/job/features.hpp"
 #include "plugin/job/job_memory.hpp"
 #include "plugin/job/job_start.hpp"
-#include "plugin/space/space_memory.hpp"
+#include "plugin/job/space_memory.hpp"
 
 namespace pcvt::cli {
 namespace {
@@ -95,7 +95,7 @@ SpaceSummary run_watched(const Job& job, bool quiet) {
     bool announces = n >= kFewestAnnouncedInSpace && !quiet;
     return run_space_job(job, [&](const JobProgress& progress) {
         if (std::exchange(announces, false)) {
-            announce_memory(estimated_memory(job, plan_space_files(job)), available);
+            announce_memory(estimated_memory(job, plan_files(job)), available);
         }
         display.show(progress);
         return cancel_signal() == 0;
@@ -118,9 +118,9 @@ void read_mesh(const CLI::App& app, const MeshOptions& options, Job& job) {
     }
     job.space_files.mesh = space_row("--mesh", options.meshes.front(), kSpaceMeshes).mesh;
     if (job.space_files.mesh == SpaceMesh::kDelaunay) return;
-    for (const SpaceJobFile& file : plan_space_files(job)) {
-        if (!file.format->shows_tetrahedra(job.space_files)) continue;
-        throw InvalidInput("-o " + file.path + ": the format holds the tetrahedra of --mesh " +
+    for (const JobFile& file : plan_files(job)) {
+        if (!file.format->space->shows_tetrahedra(job.space_files)) continue;
+        throw InvalidInput("-o " + file.path() + ": the format holds the tetrahedra of --mesh " +
                            "delaunay; leave --mesh out");
     }
 }
@@ -129,8 +129,9 @@ void read_file_options(const CLI::App& app, const MeshOptions& options, Job& job
     if (app.count("--surface") == 0) return;
     job.space_files.surfaces = chosen_row("--surface", options.files.surface, kSurfaceForms).form;
     const auto has_surfaces = [](const std::string& path) {
-        const SpaceFormat* const format = find_space_format(path);
-        return format != nullptr && format->surfaces == FormatSurfaces::kChosen;
+        const Format* const format = find_format(path);
+        return format != nullptr && format->space &&
+               format->space->surfaces == FormatSurfaces::kChosen;
     };
     if (std::any_of(job.outputs.begin(), job.outputs.end(), has_surfaces)) return;
     throw InvalidInput("--surface is for " + surface_extensions() + "; add such a file with -o");
@@ -197,7 +198,7 @@ Job make_space_job(const CLI::App& app, const MeshOptions& options) {
     job.stability = options.stability;
     read_short_edges(app, options, job);
     read_mesh(app, options, job);
-    plan_space_files(job);
+    plan_files(job);
     read_file_options(app, options, job);
     return job;
 }
@@ -235,7 +236,7 @@ std::string space_summary_text(const Job& job, const SpaceSummary& summary) {
     if (!job.report.empty()) text += summary_line("report", job.report);
     text += summary_line("seconds", figure(summary.seconds));
     if (const std::optional<double> peak = peak_memory()) {
-        const double estimate = estimated_memory(job, plan_space_files(job));
+        const double estimate = estimated_memory(job, plan_files(job));
         text += summary_line(
             "memory", memory_text(*peak) + " at the peak, " + memory_text(estimate) + " estimated");
     }

@@ -2,7 +2,7 @@
 
 #include "plugin/cli/exit_code.hpp"
 #include "plugin/cli/mesh_options.hpp"
-#include "plugin/space/space_job.hpp"
+#include "plugin/job/space_job.hpp"
 
 namespace pcvt::cli {
 

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "io/tile_formats.hpp"
+#include "io/formats/formats.hpp"
 
 namespace pcvt {
 
@@ -88,7 +88,7 @@ struct FeatureRow {
     bool (*is_chosen)(const Job& job) = nullptr;
     /// As messages about files name it, and the formats that hold it; null for no part of files.
     const char* in_files = nullptr;
-    bool TileFormat::*taken = nullptr;
+    bool Format::*taken = nullptr;
 };
 
 /// In the order of the enumerators.

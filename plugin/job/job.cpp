@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "io/outputs/recovery.hpp"
-#include "io/outputs/writable_paths.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/plane/mesh/cell_measures.hpp"
 #include "mesher/plane/mesh/valence.hpp"
@@ -87,25 +85,6 @@ RunSummary summarize(const Job& job, const Computation& computation,
     for (const plane::BuiltTile& tile : tiles) summary.tiles.push_back(tile.figures);
     summary.start = computation.start;
     return summary;
-}
-
-/// Completes or removes the unfinished sets of earlier runs. Returns one line for each set.
-std::vector<std::string> require_all_writable(const Job& job, const std::vector<JobFile>& files) {
-    std::vector<std::string> paths;
-    for (const JobFile& file : files) {
-        paths.insert(paths.end(), file.paths.begin(), file.paths.end());
-    }
-    if (!job.report.empty()) paths.push_back(job.report);
-    std::vector<std::string> recovered = recover_unfinished(paths);
-    for (const JobFile& file : files) {
-        if (!file.folder.empty()) {
-            require_writable_folder(file.folder, file.paths, job.force);
-            continue;
-        }
-        for (const std::string& path : file.paths) require_writable(path, job.force);
-    }
-    if (!job.report.empty()) require_writable(job.report, job.force);
-    return recovered;
 }
 
 /// Stages every file that its format can hold, and the report.

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "io/bytes/output_error.hpp"
+#include "io/formats/space_format.hpp"
 #include "io/run_files/inclusion_reader.hpp"
-#include "io/space_formats.hpp"
 #include "io/tiles/file_options.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cells/material_choices.hpp"

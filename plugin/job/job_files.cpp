@@ -7,10 +7,13 @@
 #include "io/bytes/nearest_word.hpp"
 #include "io/forms/triangle_elements.hpp"
 #include "io/outputs/distinct_paths.hpp"
+#include "io/outputs/recovery.hpp"
+#include "io/outputs/writable_paths.hpp"
 #include "io/solvers/inp_sections.hpp"
 #include "plugin/job/contradictions.hpp"
 #include "plugin/job/features.hpp"
 #include "plugin/job/job_checks.hpp"
+#include "plugin/job/space_files.hpp"
 
 namespace pcvt {
 namespace {
@@ -21,7 +24,7 @@ namespace fs = std::filesystem;
 std::string nearest_extension(const std::string& extension) {
     if (extension.empty()) return {};
     std::vector<std::string> words;
-    for (const TileFormat& format : tile_formats()) words.emplace_back(format.extension.substr(1));
+    for (const Format& format : formats()) words.emplace_back(format.extension.substr(1));
     const std::string meant = nearest_word(extension.substr(1), words);
     return meant.empty() ? meant : "." + meant;
 }
@@ -42,7 +45,7 @@ std::string kind_suffix(plane::MeshKind kind) {
 }
 
 /// @param kind  of the mesh that goes into the file; any one where the format needs no tile.
-void check_format(const Job& job, const TileFormat& format, plane::MeshKind kind,
+void check_format(const Job& job, const Format& format, plane::MeshKind kind,
                   const std::string& path) {
     if (format.needs_torus() && (job.areas || job.aspect)) {
         throw InvalidInput("-o " + path +
@@ -69,7 +72,7 @@ void check_format(const Job& job, const TileFormat& format, plane::MeshKind kind
 }
 
 void add_output(const Job& job, const std::string& path, std::vector<JobFile>& files) {
-    const TileFormat* format = find_tile_format(path);
+    const Format* format = find_format(path);
     if (format == nullptr) refuse_extension(path);
     if (format->check_path != nullptr) {
         try {
@@ -96,7 +99,7 @@ void add_output(const Job& job, const std::string& path, std::vector<JobFile>& f
 template <class Keep>
 std::string extensions(const std::string& separator, const Keep& keep) {
     std::string all;
-    for (const TileFormat& format : tile_formats()) {
+    for (const Format& format : formats()) {
         if (!keep(format)) continue;
         if (!all.empty()) all += separator;
         all += format.extension;
@@ -110,7 +113,7 @@ constexpr double kLargestCutWidth = 1e6;
 
 std::string extensions_that_take(const FeatureRow& feature) {
     std::string text;
-    for (const TileFormat& format : tile_formats()) {
+    for (const Format& format : formats()) {
         if (!(format.*feature.taken)) continue;
         text += (text.empty() ? "" : " or ") + std::string(format.extension);
     }
@@ -165,21 +168,21 @@ FormatRequest format_request(const Job& job, plane::MeshKind kind) {
 }
 
 std::string output_extensions() {
-    return extensions(" ", [](const TileFormat&) { return true; });
+    return extensions(" ", [](const Format&) { return true; });
 }
 
 std::string readable_extensions() {
-    return extensions(" ", [](const TileFormat& format) { return format.is_readable(); });
+    return extensions(" ", [](const Format& format) { return format.is_readable(); });
 }
 
 std::string second_order_extensions() {
-    return extensions(", ", [](const TileFormat& format) { return format.highest_order > 1; });
+    return extensions(", ", [](const Format& format) { return format.highest_order > 1; });
 }
 
 std::string without_slash(const std::string& path) {
     if (!path.ends_with('/')) return path;
     const std::string folder = path.substr(0, path.size() - 1);
-    const TileFormat* format = find_tile_format(folder);
+    const Format* format = find_format(folder);
     return format != nullptr && format->is_folder ? folder : path;
 }
 
@@ -190,7 +193,13 @@ std::string with_suffix(const std::string& path, const std::string& suffix) {
 
 std::vector<JobFile> plan_files(const Job& job) {
     std::vector<JobFile> files;
-    for (const std::string& path : job.outputs) add_output(job, without_slash(path), files);
+    for (const std::string& path : job.outputs) {
+        if (job.is_in_space()) {
+            files.push_back(space_file(job, without_slash(path)));
+        } else {
+            add_output(job, without_slash(path), files);
+        }
+    }
     DistinctPaths book;
     for (const std::string& path : job.inputs) book.add_input(path);
     for (const JobFile& file : files) {
@@ -198,6 +207,24 @@ std::vector<JobFile> plan_files(const Job& job) {
     }
     if (!job.report.empty()) book.add_output(job.report);
     return files;
+}
+
+std::vector<std::string> require_all_writable(const Job& job, const std::vector<JobFile>& files) {
+    std::vector<std::string> paths;
+    for (const JobFile& file : files) {
+        paths.insert(paths.end(), file.paths.begin(), file.paths.end());
+    }
+    if (!job.report.empty()) paths.push_back(job.report);
+    std::vector<std::string> recovered = recover_unfinished(paths);
+    for (const JobFile& file : files) {
+        if (!file.folder.empty()) {
+            require_writable_folder(file.folder, file.paths, job.force);
+            continue;
+        }
+        for (const std::string& path : file.paths) require_writable(path, job.force);
+    }
+    if (!job.report.empty()) require_writable(job.report, job.force);
+    return recovered;
 }
 
 void check_order(const Job& job, const std::vector<JobFile>& files) {

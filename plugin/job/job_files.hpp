@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/tile_formats.hpp"
+#include "io/formats/formats.hpp"
 #include "plugin/job/job.hpp"
 
 namespace pcvt {
@@ -13,11 +13,14 @@ namespace pcvt {
 struct JobFile {
     /// The path itself first, then the companions; of a folder the files in it.
     std::vector<std::string> paths;
-    const TileFormat* format;
+    const Format* format;
     /// Formats of tiles: the index into job.meshes; else -1.
     int mesh = -1;
     /// Empty unless the files lie in a folder of their own.
     std::string folder = {};
+
+    /// The output as messages name it: the folder, or the file itself.
+    const std::string& path() const { return folder.empty() ? paths.front() : folder; }
 };
 
 /// The content that a job has for a file, besides the density.
@@ -30,6 +33,11 @@ FormatRequest format_request(const Job& job, plane::MeshKind kind);
 /// @throws InvalidInput for an unknown extension, for a mesh that its format cannot hold, and for
 ///         two files of the job, or a file and an input, with the same path.
 std::vector<JobFile> plan_files(const Job& job);
+
+/// Requires that all files and the report can be written. Completes or removes the unfinished sets
+/// of earlier runs, and returns one line for each set.
+/// @throws OutputError
+std::vector<std::string> require_all_writable(const Job& job, const std::vector<JobFile>& files);
 
 /// Extensions with a blank between them: of the formats that a job writes, and of the formats that
 /// `pcvt check` reads.

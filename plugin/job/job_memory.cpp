@@ -9,6 +9,7 @@
 #include "mesher/base/error.hpp"
 #include "plugin/job/available_memory.hpp"
 #include "plugin/job/job_tiles.hpp"
+#include "plugin/job/space_memory.hpp"
 
 namespace pcvt {
 namespace {
@@ -26,45 +27,16 @@ constexpr double kMovingWithAreas = 980;
 /// Sites of a file, with their lines.
 constexpr double kFromFile = 65;
 
-/// Bytes of a run that writes one file of a format.
-struct FormatMemory {
-    std::string_view extension;
-    /// A site, for cells, the whole torus, or no mesh at all.
-    double cell;
-    /// A Delaunay triangle, and a triangle of grains.
-    double triangle;
-    double grain;
-};
-constexpr std::array<FormatMemory, 17> kFormats{{
-    {".obj", 900, 280, 250},
-    {".ply", 900, 300, 250},
-    {".glb", 985, 280, 240},
-    {".gltf", 1200, 490, 380},
-    {".om", 1230, 560, 460},
-    {".msh", 0, 2030, 540},
-    {".inp", 0, 1180, 800},
-    {".vtu", 1180, 470, 440},
-    {".svg", 710, 285, 395},
-    {".png", 930, 510, 520},
-    {".dxf", 1180, 580, 465},
-    {".html", 1190, 320, 305},
-    {".foam", 1900, 1080, 815},
-    {".nc", 5400, 0, 0},
-    {".vti", 440, 0, 0},
-    {".csv", 815, 0, 0},
-    {".txt", 0, 0, 0},
-}};
-
 /// A run that builds its tile for the figures alone.
-constexpr FormatMemory kBuilt{"", 600, 0, 230};
-constexpr FormatMemory kBuiltBox{"", 930, 0, 230};
+constexpr FormatMemory kBuilt{600, 0, 230};
+constexpr FormatMemory kBuiltBox{930, 0, 230};
 /// A tile that is held while others are built and written.
-constexpr FormatMemory kHeld{"", 160, 60, 60};
+constexpr FormatMemory kHeld{160, 60, 60};
 /// A tile that is mapped to the round space of its aspect for its proof.
-constexpr FormatMemory kMapped{"", 160, 60, 170};
+constexpr FormatMemory kMapped{160, 60, 170};
 /// Meshes that a host of the C interface asks for, beside the sites, for each copy of these:
 /// measured at 1e5 and 1e6 sites, with the arrays of the interface.
-constexpr FormatMemory kHanded{"", 400, 160, 260};
+constexpr FormatMemory kHanded{400, 160, 260};
 /// A box outline, and the map to the round space of an aspect, take these times as much.
 constexpr double kBoxedCells = 1.9;
 constexpr double kMappedGrains = 1.3;
@@ -123,15 +95,11 @@ double voxel_bytes(const Job& job) {
 
 /// A run that writes this file alone.
 double file_bytes(const Job& job, const JobFile& file) {
-    const auto row = std::find_if(kFormats.begin(), kFormats.end(), [&](const FormatMemory& f) {
-        return f.extension == file.format->extension;
-    });
-    if (row == kFormats.end()) return 0;
     const plane::MeshKind kind =
         file.mesh < 0 ? plane::MeshKind::kVoronoi : job.meshes[static_cast<std::size_t>(file.mesh)];
     const double side = job.file_options.pixels != 0 ? job.file_options.pixels : kDefaultPixels;
     const double pixels = file.format->takes_pixels ? kPixel * side * side : 0;
-    return mesh_bytes(job, kind, *row) + pixels +
+    return mesh_bytes(job, kind, file.format->memory) + pixels +
            (file.format->takes_voxels ? voxel_bytes(job) : 0);
 }
 
@@ -180,6 +148,7 @@ void require_available(const std::string& what, double estimate, const char* rem
 }
 
 double estimated_memory(const Job& job, const std::vector<JobFile>& files) {
+    if (job.is_in_space()) return memory_in_space(job, files);
     const double from_file = job.n_given() > 0 ? kFromFile * n_sites(job) : 0;
     return kCommandBytes + kThreadBytes * job.run.n_threads + from_file +
            std::max(site_bytes(job), tile_bytes(job, files));

@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "io/bytes/output_error.hpp"
-#include "io/file_proof.hpp"
+#include "io/formats/file_proof.hpp"
 #include "mesher/base/workers.hpp"
 #include "mesher/plane/mesh/cell_measures.hpp"
 #include "plugin/job/version.hpp"
@@ -100,9 +100,7 @@ class FileEncoder {
     const plane::Tile& tile() const { return tiles_[static_cast<std::size_t>(file_.mesh)].tile; }
 
    private:
-    const std::string& path() const {
-        return file_.folder.empty() ? file_.paths.front() : file_.folder;
-    }
+    const std::string& path() const { return file_.path(); }
 
     const Job& job_;
     const JobFile& file_;
@@ -131,9 +129,7 @@ class FileProgress {
     enum State : char { kWaiting, kOpen, kDone };
 
     std::string words(std::size_t file) const {
-        const JobFile& at = files_[file];
-        const std::string& path = at.folder.empty() ? at.paths.front() : at.folder;
-        const std::string name = std::filesystem::path(path).filename().string();
+        const std::string name = std::filesystem::path(files_[file].path()).filename().string();
         return "writing " + name + ", " + std::to_string(file + 1) + " of " +
                std::to_string(files_.size());
     }

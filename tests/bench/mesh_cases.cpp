@@ -1,6 +1,6 @@
 #include <filesystem>
 
-#include "io/file_proof.hpp"
+#include "io/formats/file_proof.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/proof/generated_tile.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
@@ -39,7 +39,7 @@ void add_files(const Input& input) {
         for ([[maybe_unused]] auto _ : state) {
             for (const std::string extension : {".obj", ".glb"}) {
                 const std::string path = folder + "/pcvt-bench" + extension;
-                const TileFormat& format = *find_tile_format(path);
+                const Format& format = *find_format(path);
                 OutputSet outputs;
                 const auto files = encode_tile(format, tile, path);
                 for (const EncodedFile& file : files) outputs.stage(file.path, file.bytes);

@@ -4,7 +4,7 @@
 #include <exception>
 #include <new>
 
-#include "io/file_proof.hpp"
+#include "io/formats/file_proof.hpp"
 #include "io/gltf/glb_mesh_fields.hpp"
 #include "io/gltf/glb_mesh_reader.hpp"
 #include "io/graphics/seam_json.hpp"
@@ -15,7 +15,7 @@
 #include "io/run_files/orientation_reader.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "io/run_files/site_writer.hpp"
-#include "io/tile_formats.hpp"
+#include "io/formats/formats.hpp"
 #include "io/voxels/vti_writer.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/finite_volume/mpas_grid_proof.hpp"
@@ -69,7 +69,7 @@ std::vector<plane::Tile> example_tiles() {
 }
 
 /// The forms of files that change more than colours.
-std::vector<FileOptions> file_forms(const TileFormat& format) {
+std::vector<FileOptions> file_forms(const Format& format) {
     std::vector<FileOptions> forms(1);
     if (format.takes_gltf_nodes) {
         forms[0].gltf_nodes = GltfNodes::kCells;
@@ -79,7 +79,7 @@ std::vector<FileOptions> file_forms(const TileFormat& format) {
     return forms;
 }
 
-std::vector<std::string> tile_seeds(const TileFormat& format) {
+std::vector<std::string> tile_seeds(const Format& format) {
     std::vector<std::string> seeds;
     const std::string path = "t" + std::string(format.extension);
     for (const plane::Tile& tile : example_tiles()) {
@@ -96,7 +96,7 @@ std::vector<std::string> tile_seeds(const TileFormat& format) {
     return seeds;
 }
 
-void read_tile(const TileFormat& format, const std::string& bytes) {
+void read_tile(const Format& format, const std::string& bytes) {
     const std::string path = "t" + std::string(format.extension);
     const std::vector<std::string> paths = format.paths(path);
     std::vector<EncodedFile> files;
@@ -116,7 +116,7 @@ void read_tile(const TileFormat& format, const std::string& bytes) {
 /// The files of a tile in space with three cells in each form, of one without its short edges, and
 /// of tetrahedra, as far as the format holds them.
 std::vector<std::vector<EncodedFile>> space_files(const char* path) {
-    const SpaceFormat& format = *find_space_format(path);
+    const SpaceFormat& format = *find_format(path)->space;
     std::vector<std::vector<EncodedFile>> sets;
     if (format.encode != nullptr) {
         for (const SurfaceForm form : {SurfaceForm::kCells, SurfaceForm::kBoundary}) {
@@ -135,7 +135,7 @@ std::vector<std::vector<EncodedFile>> space_files(const char* path) {
 }
 
 void read_space_tile(const char* path, const std::string& bytes) {
-    const std::vector<std::string> paths = find_space_format(path)->paths(path);
+    const std::vector<std::string> paths = find_format(path)->space->paths(path);
     const std::vector<std::string> parts =
         paths.size() == 1 ? std::vector{bytes} : split_files(bytes);
     std::vector<EncodedFile> files;
@@ -166,13 +166,13 @@ FuzzTarget space_target(std::string_view name, const char* path) {
 }
 
 void read_grid(const std::string& bytes) {
-    prove_mpas_grid(std::get<GridReader*>(find_tile_format("t.nc")->read)({{"t.nc", bytes}}));
+    prove_mpas_grid(std::get<GridReader*>(find_format("t.nc")->read)({{"t.nc", bytes}}));
 }
 
 std::vector<std::string> grid_seeds() {
     const plane::PeriodicMesh cells = hexagonal_cells(3, 4);
     const Torus torus{cells, plane::Vec2::Zero(), {}};
-    TorusWriter* write = std::get<TorusWriter*>(find_tile_format("t.nc")->write);
+    TorusWriter* write = std::get<TorusWriter*>(find_format("t.nc")->write);
     return {write(torus, "t.nc").front().bytes};
 }
 
@@ -310,7 +310,7 @@ std::vector<std::string> png_seeds() {
             png_bytes({1, 1, 8, 6}, {"\x10\x20\x30\x40"}), png_bytes({8, 1, 1, 0}, {"\x5a"})};
 }
 
-FuzzTarget format_target(const TileFormat& format) {
+FuzzTarget format_target(const Format& format) {
     const std::string_view name = format.extension.substr(1);
     if (format.reads_grid()) return {name, read_grid, grid_seeds};
     if (format.reads_voxels()) return {name, read_voxels, voxel_seeds};
@@ -320,7 +320,7 @@ FuzzTarget format_target(const TileFormat& format) {
 
 std::vector<FuzzTarget> make_targets() {
     std::vector<FuzzTarget> targets;
-    for (const TileFormat& format : tile_formats()) {
+    for (const Format& format : formats()) {
         if (format.is_readable()) targets.push_back(format_target(format));
     }
     targets.push_back(space_target("space_vtu", "t.vtu"));

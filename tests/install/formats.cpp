@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "io/tile_formats.hpp"
+#include "io/formats/formats.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/mesh/outline.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
@@ -16,7 +16,7 @@ namespace plane = pcvt::plane;
 namespace {
 
 /// Formats of whole tori need acute triangles, as the best lattice has them.
-void repeat_grid(const pcvt::TileFormat& format, const plane::Lattice& lattice) {
+void repeat_grid(const pcvt::Format& format, const plane::Lattice& lattice) {
     const auto points = plane::pattern_points(plane::best_lattice(lattice, 30));
     const auto result = plane::compute_cvt(lattice, points, {});
     const auto cells = plane::periodic_mesh(result.delaunay, plane::MeshKind::kVoronoi);
@@ -34,7 +34,7 @@ int main() {
     // All formats support triangles.
     const auto mesh = plane::periodic_mesh(result.delaunay, plane::MeshKind::kDelaunay);
     const auto tile = plane::make_tile(mesh, plane::whole_outline(mesh, {0, 0}));
-    for (const pcvt::TileFormat& format : pcvt::tile_formats()) {
+    for (const pcvt::Format& format : pcvt::formats()) {
         if (format.reads_grid()) repeat_grid(format, lattice);
         if (!format.needs_tile()) continue;
         const std::string extension(format.extension);

@@ -1,6 +1,6 @@
 #include "tests/mutants/base_files.hpp"
 
-#include "io/file_proof.hpp"
+#include "io/formats/file_proof.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cells/orientations.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
@@ -92,7 +92,7 @@ const CellMaterials& materials() {
 }
 
 /// The forms in which a format writes one tile of kSites sites.
-std::vector<std::pair<const char*, FileOptions>> forms(const TileFormat& format,
+std::vector<std::pair<const char*, FileOptions>> forms(const Format& format,
                                                        plane::MeshKind kind) {
     std::vector<std::pair<const char*, FileOptions>> forms{{"", {}}};
     if (format.takes_gltf_nodes) forms.push_back({" one-node", {.gltf_nodes = GltfNodes::kOne}});
@@ -104,7 +104,7 @@ std::vector<std::pair<const char*, FileOptions>> forms(const TileFormat& format,
     return forms;
 }
 
-bool holds(const TileFormat& format, const plane::Tile& tile, plane::Outline outline) {
+bool holds(const Format& format, const plane::Tile& tile, plane::Outline outline) {
     if (!format.holds_polygons && tile.kind == plane::MeshKind::kVoronoi) return false;
     if (format.check == nullptr) return true;
     try {
@@ -115,14 +115,14 @@ bool holds(const TileFormat& format, const plane::Tile& tile, plane::Outline out
     }
 }
 
-void add_tile(const TileFormat& format, const plane::Tile& tile, const Shape& shape,
+void add_tile(const Format& format, const plane::Tile& tile, const Shape& shape,
               const FileOptions& options, std::vector<BaseFile>& bases) {
     if (!holds(format, tile, shape.options.outline)) return;
     const std::string path = "tile" + std::string(format.extension);
     bases.push_back({shape.name, tile.kind, encode_tile(format, tile, path, options)});
 }
 
-void add_tiles(const TileFormat& format, plane::Tile tile, const Shape& shape,
+void add_tiles(const Format& format, plane::Tile tile, const Shape& shape,
                std::vector<BaseFile>& bases) {
     if (!holds(format, tile, shape.options.outline)) return;
     const std::string path = "tile" + std::string(format.extension);
@@ -136,7 +136,7 @@ void add_tiles(const TileFormat& format, plane::Tile tile, const Shape& shape,
         {std::string(shape.name) + " order 2", tile.kind, encode_tile(format, tile, path, {})});
 }
 
-std::vector<BaseFile> grid_files(const TileFormat& format) {
+std::vector<BaseFile> grid_files(const Format& format) {
     const plane::Lattice lattice = plane::Lattice::rectangle(1, 0.8);
     const plane::CvtResult result = compute_cvt(lattice, uniform_points(lattice, 12, 1), {});
     const plane::PeriodicMesh cells = cell_mesh(result.delaunay);
@@ -150,7 +150,7 @@ std::vector<BaseFile> grid_files(const TileFormat& format) {
 }
 
 /// Voxels of plain, power and elongated cells; the last lattice is a rectangle of two domains.
-std::vector<BaseFile> voxel_files(const TileFormat& format) {
+std::vector<BaseFile> voxel_files(const Format& format) {
     const plane::Lattice skew({1.1, 0}, {0.55, 0.9});
     std::vector<BaseFile> bases;
     const auto add = [&](const char* name, const CellShape& shape, const plane::Lattice& lattice,
@@ -182,7 +182,7 @@ std::vector<BaseFile> voxel_files(const TileFormat& format) {
 }  // namespace
 
 std::vector<BaseFile> base_files(std::string_view extension) {
-    const TileFormat& format = *find_tile_format("tile" + std::string(extension));
+    const Format& format = *find_format("tile" + std::string(extension));
     if (format.needs_torus()) return grid_files(format);
     if (format.reads_voxels()) return voxel_files(format);
     const plane::Lattice lattice({1, 0}, {0.37, 0.81});
@@ -218,7 +218,7 @@ std::vector<BaseFile> base_files(std::string_view extension) {
 }
 
 std::string refusal(std::string_view extension, const Files& files) {
-    const TileFormat& format = *find_tile_format("tile" + std::string(extension));
+    const Format& format = *find_format("tile" + std::string(extension));
     try {
         if (const auto* read = std::get_if<GridReader*>(&format.read)) {
             prove_grid(files, (*read)(files));

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/tile_formats.hpp"
+#include "io/formats/formats.hpp"
 #include "tests/mutants/mutants.hpp"
 
 namespace pcvt::testing {

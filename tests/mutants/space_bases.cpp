@@ -2,7 +2,7 @@
 
 #include "io/gltf/glb_mesh_fields.hpp"
 #include "io/gltf/glb_mesh_reader.hpp"
-#include "io/space_file_proof.hpp"
+#include "io/formats/space_file_proof.hpp"
 #include "mesher/base/error.hpp"
 #include "tests/support/space_tiles.hpp"
 
@@ -76,7 +76,7 @@ void prove(SpaceFileKind kind, const Files& files) {
 
 std::vector<BaseFile> space_base_files(std::string_view extension) {
     const std::string path = "tile" + std::string(extension);
-    const SpaceFormat& format = *find_space_format(path);
+    const SpaceFormat& format = *find_format(path)->space;
     std::vector<BaseFile> bases;
     for (const SpaceCase& c : cases()) {
         if (format.encode != nullptr) add_space_tile(format, c, path, bases);

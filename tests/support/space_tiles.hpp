@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/space_file_proof.hpp"
+#include "io/formats/space_file_proof.hpp"
 #include "mesher/space/mesh/short_edges.hpp"
 #include "tests/support/polyhedra.hpp"
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/space_file_proof.hpp"
+#include "io/formats/space_file_proof.hpp"
 #include "tests/support/polyhedra.hpp"
 
 namespace pcvt::testing {

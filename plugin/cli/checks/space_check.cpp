@@ -1,9 +1,9 @@
 #include "plugin/cli/checks/space_check.hpp"
 
 #include "io/bytes/bad_file.hpp"
+#include "io/formats/space_file_proof.hpp"
 #include "io/gltf/glb_mesh_fields.hpp"
 #include "io/gltf/glb_mesh_reader.hpp"
-#include "io/space_file_proof.hpp"
 #include "mesher/base/law_violation.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "plugin/cli/checks/tolerance_check.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/space_formats.hpp"
+#include "io/formats/formats.hpp"
 
 namespace pcvt::cli {
 

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "io/file_proof.hpp"
+#include "io/formats/file_proof.hpp"
 #include "io/gltf/gltf_reader.hpp"
 #include "io/gltf/gltf_writer.hpp"
-#include "io/tile_formats.hpp"
+#include "io/formats/formats.hpp"
 #include "tests/support/example_lattices.hpp"
 #include "tests/support/glb.hpp"
 #include "tests/support/grid_tile.hpp"
@@ -68,7 +68,7 @@ TEST(GltfPlace, NearTilesStayWhereTheyAre) {
 }
 
 TEST(GltfPlace, DistantTilesAreProved) {
-    const TileFormat& format = *find_tile_format("t.glb");
+    const Format& format = *find_format("t.glb");
     for (const plane::Lattice& lattice : {kOblique, plane::Lattice({1, 0}, {20.37, 0.81})}) {
         const plane::Tile tile = distant_grid(lattice, 1e4, 3e6);
         const std::vector<EncodedFile> files = encoded(tile);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <random>
 
-#include "io/file_proof.hpp"
+#include "io/formats/file_proof.hpp"
 #include "io/openfoam/foam_layer.hpp"
 #include "io/openfoam/foam_writer.hpp"
-#include "io/tile_formats.hpp"
+#include "io/formats/formats.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/walled_tiles.hpp"
@@ -31,7 +31,7 @@ Files walled_case(Walls walls = Walls::kY) {
 
 /// Returns why `pcvt check` refuses the files; empty if it accepts them.
 std::string wall_fault(const Files& files) {
-    const TileFormat& format = *find_tile_format("t.foam");
+    const Format& format = *find_format("t.foam");
     try {
         prove_file(format, files, decode_tile(format, files, std::nullopt));
     } catch (const InvalidInput& fault) {
@@ -144,13 +144,13 @@ TEST(FoamWalls, ThicknessesAreReadBack) {
     Files files = encode_foam(foam_case(tile, 0.3), "t.foam");
     EXPECT_EQ(decode_foam_layer(files, std::nullopt).thickness, 0.3);
     EXPECT_EQ(wall_fault(files), "");
-    const TileFormat& format = *find_tile_format("t.foam");
+    const Format& format = *find_format("t.foam");
     prove_tile_files(format, files, tile, {0, 0}, {.thickness = 0.3});
     EXPECT_THROW(prove_tile_files(format, files, tile, {0, 0}, {.thickness = 0.25}), InternalError);
 }
 
 TEST(FoamWalls, LayersOfAnotherScaleThanTheCellsAreRefused) {
-    const TileFormat& format = *find_tile_format("t.foam");
+    const Format& format = *find_format("t.foam");
     FormatRequest request{.lattice = plane::Lattice::rectangle(2, 1),
                           .kind = plane::MeshKind::kVoronoi,
                           .outline = plane::Outline::kWhole,

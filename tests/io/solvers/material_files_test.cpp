@@ -5,7 +5,7 @@
 #include <set>
 
 #include "io/bytes/text.hpp"
-#include "io/file_proof.hpp"
+#include "io/formats/file_proof.hpp"
 #include "io/forms/triangle_elements.hpp"
 #include "io/solvers/inp_reader.hpp"
 #include "io/solvers/inp_sections.hpp"
@@ -52,7 +52,7 @@ std::string msh_text(const CellMaterials& materials) {
 
 std::string refusal_of(const std::string& path, const std::string& text) {
     return testing::fault_in([&] {
-        const TileFormat& format = *find_tile_format(path);
+        const Format& format = *find_format(path);
         const std::vector<EncodedFile> files{{path, text}};
         prove_file(format, files, decode_tile(format, files, std::nullopt));
     });

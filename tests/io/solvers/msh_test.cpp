@@ -4,7 +4,7 @@
 
 #include "io/solvers/msh_reader.hpp"
 #include "io/solvers/msh_writer.hpp"
-#include "io/tile_formats.hpp"
+#include "io/formats/formats.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
@@ -123,7 +123,7 @@ TEST(Msh, TiesEachNodeByAnyOfItsLinksAndByCurvesAlone) {
 
 TEST(Msh, PolygonsAreRefusedWithARemedy) {
     try {
-        encode_tile(*find_tile_format("t.msh"), testing::grid_tile(kSquare, 2, 2), "t.msh");
+        encode_tile(*find_format("t.msh"), testing::grid_tile(kSquare, 2, 2), "t.msh");
         FAIL();
     } catch (const InvalidInput& fault) {
         EXPECT_STREQ(fault.what(),

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "io/file_proof.hpp"
+#include "io/formats/file_proof.hpp"
 #include "io/solvers/inp_writer.hpp"
 #include "io/solvers/msh_writer.hpp"
 #include "mesher/base/error.hpp"
@@ -18,7 +18,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const TileFormat& format_of(const std::string& path) { return *find_tile_format(path); }
+const Format& format_of(const std::string& path) { return *find_format(path); }
 
 /// The complaint of `pcvt check` about a file; empty if it proves it.
 std::string complaint(const std::string& path, const std::string& text) {

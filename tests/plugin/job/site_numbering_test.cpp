@@ -121,7 +121,7 @@ Job job_with(const Features& features) {
 }
 
 TileFile read_tile(const std::string& path) {
-    const TileFormat& format = *find_tile_format(path);
+    const Format& format = *find_format(path);
     std::vector<EncodedFile> files;
     for (const std::string& part : format.paths(path)) {
         files.push_back({part, testing::bytes_of(part)});
@@ -225,7 +225,7 @@ void expect_one_numbering(Job job, const std::vector<std::string>& extensions) {
 std::vector<std::string> extensions_of_cells(const Job& job, int first) {
     std::vector<std::string> extensions;
     int turn = first;
-    for (const TileFormat& format : tile_formats()) {
+    for (const Format& format : formats()) {
         if (!format.needs_tile() || !format.is_readable() || !format.holds_polygons) continue;
         const bool is_cut = format.is_folder && job.tile.outline == plane::Outline::kBox;
         const bool has_turn = ++turn % 4 == 0 || format.extension == ".vtu";

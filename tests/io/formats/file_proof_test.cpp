@@ -1,4 +1,4 @@
-#include "io/file_proof.hpp"
+#include "io/formats/file_proof.hpp"
 
 #include <gmock/gmock.h>
 
@@ -30,7 +30,7 @@ plane::Tile cells(const plane::Lattice& lattice, int n) {
     return make_tile(mesh, whole_outline(mesh, plane::Vec2::Zero()));
 }
 
-const TileFormat& glb() { return *find_tile_format("t.glb"); }
+const Format& glb() { return *find_format("t.glb"); }
 
 std::string glb_refusal(const plane::Tile& tile, const plane::Vec2& origin) {
     try {
@@ -62,7 +62,7 @@ TEST(FileProof, ABrokenFileOfATileThatFitsIsAFaultOfPcvt) {
 }
 
 void prove_written(const std::string& path, const plane::Tile& written, const plane::Tile& proved) {
-    const TileFormat& format = *find_tile_format(path);
+    const Format& format = *find_format(path);
     prove_tile_files(format, encode_tile(format, written, path), proved, plane::Vec2::Zero());
 }
 
@@ -127,7 +127,7 @@ TEST(FileProof, NearlyCocircularSitesAreProvedInEveryFormat) {
     for (const plane::MeshKind kind : {plane::MeshKind::kVoronoi, plane::MeshKind::kDelaunay}) {
         const plane::Tile tile = build_tile(delaunay, {.kind = kind}).tile;
         verify_generated_tile(tile);
-        for (const TileFormat& format : tile_formats()) {
+        for (const Format& format : formats()) {
             if (!format.needs_tile() || !format.is_readable()) continue;
             if (!format.holds_polygons && kind == plane::MeshKind::kVoronoi) continue;
             const std::string path = "t" + std::string(format.extension);
@@ -148,7 +148,7 @@ plane::Tile placed_cells(const plane::Lattice& lattice, int n) {
 TEST(FileProof, TwoExchangedSitesAreFoundInAFileWithTheirPositions) {
     const plane::Tile tile = placed_cells(plane::Lattice({1, 0}, {0.37, 0.81}), 9);
     for (const char* path : {"t.obj", "t.ply", "t.glb", "t.gltf", "t.om"}) {
-        const TileFormat& format = *find_tile_format(path);
+        const Format& format = *find_format(path);
         TileFile file = decode_tile(format, encode_tile(format, tile, path), std::nullopt);
         EXPECT_EQ(file.tile.site_positions.size(), 9U) << path;
         EXPECT_NO_THROW(prove_tile_file(file)) << path;
@@ -160,7 +160,7 @@ TEST(FileProof, TwoExchangedSitesAreFoundInAFileWithTheirPositions) {
 TEST(FileProof, AFileWithoutPositionsIsProvedToHaveAllSites) {
     const plane::Tile tile = cells(plane::Lattice({1, 0}, {0.37, 0.81}), 9);
     for (const char* path : {"t.obj", "t.ply", "t.glb", "t.gltf", "t.om"}) {
-        const TileFormat& format = *find_tile_format(path);
+        const Format& format = *find_format(path);
         TileFile file = decode_tile(format, encode_tile(format, tile, path), std::nullopt);
         EXPECT_TRUE(file.tile.site_positions.empty()) << path;
         EXPECT_NO_THROW(prove_tile_file(file)) << path;
@@ -189,7 +189,7 @@ TEST(FileProof, ATileTooFineForFloatsIsRefusedWithTheAdviceThatHelps) {
 }
 
 TEST(FileProof, SitesMustReadBackAsTheyWere) {
-    const TileFormat& txt = *find_tile_format("s.txt");
+    const Format& txt = *find_format("s.txt");
     const plane::Points sites = uniform_points(plane::Lattice::rectangle(1, 1), 4, 0);
     const auto files = std::get<SiteWriter*>(txt.write)(sites, "s.txt");
     EXPECT_NO_THROW(prove_site_files(txt, files, sites));
@@ -202,7 +202,7 @@ TEST(FileProof, SitesMustReadBackAsTheyWere) {
 /// `name`.
 std::string fault_with(const plane::Tile& tile, const std::string& path, const std::string& name,
                        const std::string& piece, const std::string& other) {
-    const TileFormat& format = *find_tile_format(path);
+    const Format& format = *find_format(path);
     const std::vector<EncodedFile> files =
         testing::exchanged(encode_tile(format, tile, path), name, piece, other);
     return testing::fault_in(

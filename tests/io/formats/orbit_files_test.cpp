@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "io/file_proof.hpp"
+#include "io/formats/file_proof.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/example_lattices.hpp"
@@ -19,11 +19,11 @@ constexpr std::array kOrbits{0, 1, 1, 0};
 
 /// The files of four sites that have these orbits.
 std::vector<EncodedFile> encoded(const std::string& path, const plane::Tile& tile) {
-    return encode_tile(*find_tile_format(path), tile, path, {.site_orbits = kOrbits});
+    return encode_tile(*find_format(path), tile, path, {.site_orbits = kOrbits});
 }
 
 void prove_orbit(const std::vector<EncodedFile>& files) {
-    const TileFormat& format = *find_tile_format(files.front().path);
+    const Format& format = *find_format(files.front().path);
     prove_file(format, files, decode_tile(format, files, std::nullopt));
 }
 
@@ -47,7 +47,7 @@ std::string orbit_fault_with(std::vector<EncodedFile> files, const std::string& 
 
 TEST(OrbitFiles, OrbitsReadBackFromEveryFormatThatStatesThem) {
     int n_formats = 0;
-    for (const TileFormat& format : tile_formats()) {
+    for (const Format& format : formats()) {
         if (!format.states_orbits) continue;
         ++n_formats;
         for (const plane::Tile& tile :
@@ -66,7 +66,7 @@ TEST(OrbitFiles, TrianglesStateTheOrbitsOfAllSites) {
     const plane::Tile triangles = testing::triangle_grid_tile(kSquare, 2, 2);
     for (const char* path : {"t.obj", "t.msh", "t.inp"}) {
         const auto files = encoded(path, triangles);
-        const TileFile file = decode_tile(*find_tile_format(path), files, std::nullopt);
+        const TileFile file = decode_tile(*find_format(path), files, std::nullopt);
         EXPECT_THAT(file.site_orbits, ElementsAreArray(kOrbits)) << path;
         EXPECT_NO_THROW(prove_orbit(files)) << path;
     }
@@ -95,7 +95,7 @@ TEST(OrbitFiles, SetsAndViewsAgreeWithTheComment) {
     EXPECT_NE(orbit_fault_with(inp, "ELSET=ORBIT_1\n", "ELSET=ORBIT_7\n"), "");
     // A set of a user who has no symmetry.
     std::vector<EncodedFile> foreign =
-        encode_tile(*find_tile_format("t.inp"), grains, "t.inp", FileOptions{});
+        encode_tile(*find_format("t.inp"), grains, "t.inp", FileOptions{});
     foreign.front().bytes += "*ELSET,ELSET=ORBIT_1\nCELL_1,CELL_3\n";
     EXPECT_NO_THROW(prove_orbit(foreign));
     const auto msh = encoded("t.msh", grains);

@@ -1,4 +1,4 @@
-#include "io/file_proof.hpp"
+#include "io/formats/file_proof.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ void require_sites(const std::string& path, const plane::Tile& tile) {
 }
 
 /// The path for which the format's writer gives `files`: that of the first one, or its folder.
-std::string path_of(const TileFormat& format, const std::vector<EncodedFile>& files) {
+std::string path_of(const Format& format, const std::vector<EncodedFile>& files) {
     const std::string& path = files.front().path;
     if (!format.is_folder) return path;
     return path.substr(0, path.size() - format.paths("").front().size());
@@ -63,8 +63,8 @@ ProvedLabels prove_labels(const TileFile& file) {
 }
 
 /// Compares the files with those that the writer gives for their tile, unless they are these.
-void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& files,
-                  const TileFile& file, const ProvedLabels& proved) {
+void prove_fields(const Format& format, const std::vector<EncodedFile>& files, const TileFile& file,
+                  const ProvedLabels& proved) {
     const FileOptions options{.materials = file.materials.empty() ? nullptr : &file.materials,
                               .site_orbits = file.site_orbits,
                               .thickness = file.thickness};
@@ -78,7 +78,7 @@ void prove_fields(const TileFormat& format, const std::vector<EncodedFile>& file
 }
 
 /// The part of the materials that a format states.
-CellMaterials held_materials(const TileFormat& format, const FileOptions& options) {
+CellMaterials held_materials(const Format& format, const FileOptions& options) {
     if (!format.states_materials || options.materials == nullptr) return {};
     CellMaterials materials = *options.materials;
     if (!format.takes_orientations) materials.site_orientation.clear();
@@ -86,7 +86,7 @@ CellMaterials held_materials(const TileFormat& format, const FileOptions& option
 }
 
 /// Whether a file has the orbits of its sites, as far as these have elements.
-bool has_orbits(const TileFormat& format, const TileFile& file, const FileOptions& options) {
+bool has_orbits(const Format& format, const TileFile& file, const FileOptions& options) {
     const std::vector<int>& found = file.site_orbits;
     if (!format.states_orbits || options.site_orbits.empty()) return found.empty();
     return !found.empty() && found.size() <= options.site_orbits.size() &&
@@ -96,9 +96,8 @@ bool has_orbits(const TileFormat& format, const TileFile& file, const FileOption
 
 /// Throws CoarsePrecision if the format stores the tile in single precision, which does not resolve
 /// it.
-void refuse_coarse_precision(const TileFormat& format, const std::string& path,
-                             const plane::Tile& tile, const plane::Vec2& origin,
-                             const FileOptions& options) {
+void refuse_coarse_precision(const Format& format, const std::string& path, const plane::Tile& tile,
+                             const plane::Vec2& origin, const FileOptions& options) {
     if (!format.holds_single_precision(options)) return;
     const plane::Vec2 from =
         format.moves_distant_tiles ? gltf_translation(tile) : plane::Vec2::Zero();
@@ -119,7 +118,7 @@ void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& f
 
 plane::TileProof prove_tile_file(const TileFile& file) { return prove_labels(file).proof; }
 
-plane::TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& files,
+plane::TileProof prove_file(const Format& format, const std::vector<EncodedFile>& files,
                             const TileFile& file) {
     const ProvedLabels proved = prove_labels(file);
     if (!file.site_orbits.empty()) prove_orbit_areas(file.tile, proved.proof, file.site_orbits);
@@ -130,7 +129,7 @@ plane::TileProof prove_file(const TileFormat& format, const std::vector<EncodedF
     return proved.proof;
 }
 
-void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+void prove_tile_files(const Format& format, const std::vector<EncodedFile>& files,
                       const plane::Tile& original, const plane::Vec2& origin,
                       const FileOptions& options) {
     const std::string& path = files.front().path;
@@ -164,7 +163,7 @@ MpasGridProof prove_grid(const std::vector<EncodedFile>& files, const MpasGrid& 
     return proof;
 }
 
-void prove_grid_files(const TileFormat& format, const std::vector<EncodedFile>& files) {
+void prove_grid_files(const Format& format, const std::vector<EncodedFile>& files) {
     try {
         prove_grid(files, std::get<GridReader*>(format.read)(files));
     } catch (const InvalidInput& error) {
@@ -172,7 +171,7 @@ void prove_grid_files(const TileFormat& format, const std::vector<EncodedFile>& 
     }
 }
 
-void prove_voxel_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+void prove_voxel_files(const Format& format, const std::vector<EncodedFile>& files,
                        const CellMaterials& materials) {
     try {
         const VoxelFile file = std::get<VoxelReader*>(format.read)(files);
@@ -183,13 +182,13 @@ void prove_voxel_files(const TileFormat& format, const std::vector<EncodedFile>&
     }
 }
 
-void prove_site_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+void prove_site_files(const Format& format, const std::vector<EncodedFile>& files,
                       const plane::Points& sites) {
     if (std::get<SiteReader*>(format.read)(files, sites)) return;
     throw InternalError(files.front().path + ": other sites are read back than were written");
 }
 
-void prove_cell_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+void prove_cell_files(const Format& format, const std::vector<EncodedFile>& files,
                       const CellRows& rows) {
     try {
         if (std::get<CellReader*>(format.read)(files, rows)) return;

@@ -1,4 +1,4 @@
-#include "io/tile_formats.hpp"
+#include "io/formats/formats.hpp"
 
 #include <gmock/gmock.h>
 
@@ -12,7 +12,7 @@
 namespace pcvt {
 namespace {
 
-plane::Tile example(const TileFormat& format) {
+plane::Tile example(const Format& format) {
     const plane::Lattice lattice({1, 0}, {0.37, 0.81});
     const plane::PeriodicDelaunay delaunay(plane::Sites(lattice, uniform_points(lattice, 7, 5)));
     const plane::PeriodicMesh mesh =
@@ -20,10 +20,10 @@ plane::Tile example(const TileFormat& format) {
     return make_tile(mesh, whole_outline(mesh, plane::Vec2(0, 0)));
 }
 
-std::vector<TileFormat> formats_of_tiles() {
-    std::vector<TileFormat> formats;
-    std::copy_if(tile_formats().begin(), tile_formats().end(), std::back_inserter(formats),
-                 [](const TileFormat& format) { return format.needs_tile(); });
+std::vector<Format> formats_of_tiles() {
+    std::vector<Format> formats;
+    std::copy_if(formats().begin(), formats().end(), std::back_inserter(formats),
+                 [](const Format& format) { return format.needs_tile(); });
     return formats;
 }
 
@@ -31,17 +31,17 @@ TEST(TileFormats, ExtensionsPickTheFormatInAnyCase) {
     for (const char* name :
          {".obj", ".ply", ".glb", ".gltf", ".om", ".svg", ".png", ".dxf", ".html", ".msh", ".inp",
           ".vtu", ".foam", ".nc", ".vti", ".csv", ".txt"}) {
-        ASSERT_NE(find_tile_format(std::string("a.b/c") + name), nullptr) << name;
-        EXPECT_EQ(find_tile_format(std::string("a.b/c") + name)->extension, name);
+        ASSERT_NE(find_format(std::string("a.b/c") + name), nullptr) << name;
+        EXPECT_EQ(find_format(std::string("a.b/c") + name)->extension, name);
     }
-    EXPECT_EQ(find_tile_format("TILE.OBJ")->extension, ".obj");
+    EXPECT_EQ(find_format("TILE.OBJ")->extension, ".obj");
     for (const char* path : {"", "obj", ".obj", "a.obj/b", "a.stl", "a.", "a.obj "}) {
-        EXPECT_EQ(find_tile_format(path), nullptr) << path;
+        EXPECT_EQ(find_format(path), nullptr) << path;
     }
 }
 
 TEST(TileFormats, EveryFormatWritesThePathsThatItPromises) {
-    for (const TileFormat& format : formats_of_tiles()) {
+    for (const Format& format : formats_of_tiles()) {
         const plane::Tile tile = example(format);
         const std::string path = "dir/tile" + std::string(format.extension);
         std::vector<std::string> written;
@@ -56,7 +56,7 @@ TEST(TileFormats, EveryFormatWritesThePathsThatItPromises) {
 }
 
 TEST(TileFormats, EveryFormatReadsItsOwnFilesButPictures) {
-    for (const TileFormat& format : formats_of_tiles()) {
+    for (const Format& format : formats_of_tiles()) {
         const plane::Tile tile = example(format);
         const auto is_picture = {".svg", ".png", ".dxf", ".html"};
         ASSERT_EQ(!format.is_readable(), std::find(is_picture.begin(), is_picture.end(),
@@ -70,10 +70,10 @@ TEST(TileFormats, EveryFormatReadsItsOwnFilesButPictures) {
 }
 
 TEST(TileFormats, SitesAndGridsOfTheTorusAreRowsAsWell) {
-    const TileFormat& sites = *find_tile_format("s.txt");
+    const Format& sites = *find_format("s.txt");
     EXPECT_TRUE(std::holds_alternative<SiteWriter*>(sites.write));
     EXPECT_FALSE(sites.is_readable());
-    const TileFormat& grid = *find_tile_format("g.Nc");
+    const Format& grid = *find_format("g.Nc");
     EXPECT_TRUE(std::holds_alternative<TorusWriter*>(grid.write));
     EXPECT_TRUE(grid.reads_grid());
     const plane::Lattice oblique({1, 0}, {0.37, 0.81});
@@ -82,7 +82,7 @@ TEST(TileFormats, SitesAndGridsOfTheTorusAreRowsAsWell) {
 }
 
 TEST(TileFormats, TheSameTileGivesTheSameBytes) {
-    for (const TileFormat& format : formats_of_tiles()) {
+    for (const Format& format : formats_of_tiles()) {
         const auto first = encode_tile(format, example(format), "t");
         const auto second = encode_tile(format, example(format), "t");
         ASSERT_EQ(first.size(), second.size());

@@ -40,26 +40,26 @@ struct SpaceFileOptions {
     SpaceMesh mesh = SpaceMesh::kVoronoi;
 };
 
-/// A format that holds volumes, their surfaces, or their sites.
+/// The list of `path` alone.
+std::vector<std::string> single_path(const std::string& path);
+
+/// What a format holds of a tile in space: volumes, their surfaces, or their sites.
 struct SpaceFormat {
-    std::string_view extension;
-    /// Whether the output is a folder.
-    bool is_folder;
-    FormatSurfaces surfaces;
+    FormatSurfaces surfaces = FormatSurfaces::kNone;
     /// The memory of a run that writes one such file, bytes a site. Measured at 2e4 to 5e5 random
     /// sites, whose cells have the most faces: the largest of several runs, because the peak of
     /// equal runs with two threads differs by a sixth.
     double memory;
     /// The files of the output with this path, which encode() returns in this order.
-    std::vector<std::string> (*paths)(const std::string& path);
+    std::vector<std::string> (*paths)(const std::string& path) = single_path;
     /// Encodes a tile of polyhedra, and of tetrahedra; both null: the file holds the sites alone.
     std::vector<EncodedFile> (*encode)(const SpaceTile& tile, const SpaceFileOptions& options,
-                                       const std::string& path);
+                                       const std::string& path) = nullptr;
     std::vector<EncodedFile> (*encode_tetrahedra)(const space::TetrahedralMesh& mesh,
-                                                  const std::string& path);
+                                                  const std::string& path) = nullptr;
     /// Returns what files of this extension hold, as `pcvt check` reads them; nothing if they hold
     /// no tile in space. Null for pictures and sites.
-    std::optional<SpaceFileKind> (*kind)(const std::vector<EncodedFile>& files);
+    std::optional<SpaceFileKind> (*kind)(const std::vector<EncodedFile>& files) = nullptr;
     /// Reads tetrahedra, and compares all that the file states beside them with what follows from
     /// them. Not null where encode_tetrahedra is not.
     space::TetrahedralMesh (*decode_tetrahedra)(const EncodedFile& file) = nullptr;
@@ -68,10 +68,6 @@ struct SpaceFormat {
     /// Whether its cells state PolyhedralMesh::short_edges, without which no tile is proved that
     /// lost edges.
     bool states_short_edges = false;
-    /// Whether positions are 32-bit floats.
-    bool is_single_precision = false;
-    /// As TileFormat::check_path.
-    void (*check_path)(const std::string& path) = nullptr;
 
     /// Whether its files hold the tetrahedra.
     bool shows_tetrahedra(const SpaceFileOptions& options) const {
@@ -90,20 +86,5 @@ struct SpaceFormat {
                (surfaces == FormatSurfaces::kChosen && options.surfaces == SurfaceForm::kBoundary);
     }
 };
-
-/// Returns the format of a path by its extension, in any case; null if none holds volumes.
-const SpaceFormat* find_space_format(const std::string& path);
-
-/// Returns ".vtu, .foam, .msh, ... or .txt".
-std::string space_extensions();
-/// Returns those that show tetrahedra with SpaceMesh::kDelaunay, ".vtu or .msh".
-std::string tetrahedra_extensions();
-/// Returns those that state PolyhedralMesh::short_edges, ".vtu or .foam".
-std::string short_edges_extensions();
-/// Returns those whose form SpaceFileOptions::surfaces chooses, ".obj, .ply or .glb".
-std::string surface_extensions();
-
-/// Returns what these files, as `pcvt check` reads them, hold; nothing if it is no tile in space.
-std::optional<SpaceFileKind> space_file_kind(const std::vector<EncodedFile>& files);
 
 }  // namespace pcvt

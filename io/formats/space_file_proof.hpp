@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/space_formats.hpp"
+#include "io/formats/formats.hpp"
 #include "mesher/space/mesh/cell_sites.hpp"
 #include "mesher/space/proof/polyhedral_proof.hpp"
 #include "mesher/space/proof/surface_proof.hpp"

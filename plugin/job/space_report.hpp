@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "plugin/space/space_job.hpp"
+#include "plugin/job/space_job.hpp"
 
 namespace pcvt {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "io/formats/formats.hpp"
 #include "io/outputs/output_set.hpp"
-#include "io/tile_formats.hpp"
 #include "mesher/finite_volume/mpas_grid_proof.hpp"
 
 namespace pcvt {
@@ -34,7 +34,7 @@ plane::TileProof prove_tile_file(const TileFile& file);
 ///
 /// @throws NotATile as prove_tile_file().
 /// @throws BadFile  naming the file, the line and the field that is wrong.
-plane::TileProof prove_file(const TileFormat& format, const std::vector<EncodedFile>& files,
+plane::TileProof prove_file(const Format& format, const std::vector<EncodedFile>& files,
                             const TileFile& file);
 
 /// Proves the tile that `format` reads in `files`, with the stored pairs. Skips the proof if every
@@ -46,7 +46,7 @@ plane::TileProof prove_file(const TileFormat& format, const std::vector<EncodedF
 /// @param options   with which it was encoded; materials and orbits are compared.
 /// @throws CoarsePrecision  `original` is too fine for the format's single precision.
 /// @throws InternalError  a law is violated: a fault of pcvt.
-void prove_tile_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+void prove_tile_files(const Format& format, const std::vector<EncodedFile>& files,
                       const plane::Tile& original, const plane::Vec2& origin,
                       const FileOptions& options = {});
 
@@ -58,24 +58,24 @@ MpasGridProof prove_grid(const std::vector<EncodedFile>& files, const MpasGrid& 
 /// Proves the staggered grid that `format` reads in `files`.
 /// @pre format.reads_grid().
 /// @throws InternalError  a law is violated: a fault of pcvt.
-void prove_grid_files(const TileFormat& format, const std::vector<EncodedFile>& files);
+void prove_grid_files(const Format& format, const std::vector<EncodedFile>& files);
 
 /// Proves the voxels that `format` reads in `files`, and that the materials are these.
 /// @pre format.reads_voxels().
 /// @throws InternalError  a law is violated: a fault of pcvt.
-void prove_voxel_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+void prove_voxel_files(const Format& format, const std::vector<EncodedFile>& files,
                        const CellMaterials& materials);
 
 /// Proves that `format` reads exactly `sites` in `files`.
 /// @pre format.reads_sites().
 /// @throws InternalError  another site is read: a fault of pcvt.
-void prove_site_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+void prove_site_files(const Format& format, const std::vector<EncodedFile>& files,
                       const plane::Points& sites);
 
 /// Proves that `format` reads exactly `rows` in `files`.
 /// @pre format.reads_cells().
 /// @throws InternalError  another row is read: a fault of pcvt.
-void prove_cell_files(const TileFormat& format, const std::vector<EncodedFile>& files,
+void prove_cell_files(const Format& format, const std::vector<EncodedFile>& files,
                       const CellRows& rows);
 
 }  // namespace pcvt

@@ -1,4 +1,4 @@
-#include "plugin/space/space_report.hpp"
+#include "plugin/job/space_report.hpp"
 
 #include "io/bytes/json_writer.hpp"
 #include "plugin/job/job.hpp"

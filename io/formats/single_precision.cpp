@@ -1,10 +1,10 @@
-#include "io/single_precision.hpp"
+#include "io/formats/single_precision.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <string>
 
-#include "io/tile_formats.hpp"
+#include "io/formats/formats.hpp"
 #include "mesher/base/error.hpp"
 
 namespace pcvt {

@@ -1,4 +1,4 @@
-#include "plugin/space/space_job.hpp"
+#include "plugin/job/space_job.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -16,9 +16,9 @@
 #include "plugin/job/job_memory.hpp"
 #include "plugin/job/job_staging.hpp"
 #include "plugin/job/job_start.hpp"
-#include "plugin/space/space_files.hpp"
-#include "plugin/space/space_memory.hpp"
-#include "plugin/space/space_report.hpp"
+#include "plugin/job/space_files.hpp"
+#include "plugin/job/space_memory.hpp"
+#include "plugin/job/space_report.hpp"
 
 namespace pcvt {
 namespace {
@@ -142,35 +142,35 @@ std::string flat_in_words(const space::TetrahedralMesh& mesh, const std::vector<
 
 /// The tetrahedra, if a file holds them.
 std::optional<space::TetrahedralMesh> build_tetrahedra(const space::PeriodicDelaunay& delaunay,
-                                                       const std::vector<SpaceJobFile>& files,
+                                                       const std::vector<JobFile>& files,
                                                        const SpaceFileOptions& options,
                                                        JobMonitor& monitor) {
-    const auto file = std::find_if(files.begin(), files.end(), [&](const SpaceJobFile& f) {
-        return f.format->shows_tetrahedra(options);
+    const auto file = std::find_if(files.begin(), files.end(), [&](const JobFile& f) {
+        return f.format->space->shows_tetrahedra(options);
     });
     if (file == files.end()) return {};
     monitor.begin(Phase::kBuilding, "building the tetrahedra");
     space::TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
     const std::vector<int> flat = flat_tetrahedra(mesh, delaunay.sites.n_sites());
     if (flat.empty()) return mesh;
-    throw InvalidInput("-o " + file->path + ": " + flat_in_words(mesh, flat) +
-                       "; move the sites a little, or leave " + file->path + " out");
+    throw InvalidInput("-o " + file->path() + ": " + flat_in_words(mesh, flat) +
+                       "; move the sites a little, or leave " + file->path() + " out");
 }
 
 /// Requires that the boundary is a closed surface, if a file shows it.
-void require_closed_boundary(const Job& job, const std::vector<SpaceJobFile>& files,
+void require_closed_boundary(const Job& job, const std::vector<JobFile>& files,
                              const space::PolyhedralProof& proof) {
     if (proof.boundary_is_manifold) return;
-    for (const SpaceJobFile& file : files) {
-        if (!file.format->shows_boundary(job.space_files)) continue;
-        throw InvalidInput("-o " + file.path +
+    for (const JobFile& file : files) {
+        if (!file.format->space->shows_boundary(job.space_files)) continue;
+        throw InvalidInput("-o " + file.path() +
                            ": the boundary of this tile touches itself, so that it is no surface; "
                            "take the surfaces of the cells as .obj, .ply or .glb, or other sites");
     }
 }
 
 /// Makes the tile and the files of a computed job. The commit of the files cannot be cancelled.
-SpaceSummary finish(const Job& job, const std::vector<SpaceJobFile>& files,
+SpaceSummary finish(const Job& job, const std::vector<JobFile>& files,
                     const SpaceComputation& computation, const SpaceTileSource& make_tile,
                     JobMonitor& monitor) {
     const Clock::time_point begin = Clock::now();
@@ -180,7 +180,7 @@ SpaceSummary finish(const Job& job, const std::vector<SpaceJobFile>& files,
     summary.n_sites = delaunay.sites.n_sites();
     summary.energy_bound =
         space::body_centred_energy(job.in_space().lattice.volume(), summary.n_sites);
-    for (const SpaceJobFile& file : files) summary.files.push_back(file.path);
+    for (const JobFile& file : files) summary.files.push_back(file.path());
     monitor.watch([&] {
         std::optional<space::TetrahedralMesh> tetrahedra =
             build_tetrahedra(delaunay, files, job.space_files, monitor);
@@ -208,8 +208,7 @@ SpaceSummary finish(const Job& job, const std::vector<SpaceJobFile>& files,
     return summary;
 }
 
-SpaceSummary run(const Job& job, const std::vector<SpaceJobFile>& files,
-                 const JobCallback& callback) {
+SpaceSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallback& callback) {
     JobMonitor monitor(callback, target_of(job));
     const SpaceComputation computation = compute(job, monitor);
     std::optional<ProvedSpaceTile> tile;
@@ -270,8 +269,8 @@ std::optional<SpaceComputation> compute_space_job(const Job& job, const JobCallb
 
 SpaceSummary write_space_job(const Job& job, const SpaceComputation& computation,
                              const SpaceTileSource& tile, const JobCallback& callback) {
-    const std::vector<SpaceJobFile> files = plan_space_files(job);
-    require_space_files_writable(job, files);
+    const std::vector<JobFile> files = plan_files(job);
+    require_all_writable(job, files);
     require_available("the files take",
                       memory_to_write(job, computation.cvt.delaunay.sites.n_sites(), files),
                       kFewerOutputs);
@@ -287,8 +286,8 @@ SpaceSummary run_space_job(const Job& job, const JobCallback& callback) {
     const Clock::time_point begin = Clock::now();
     check_stability(job);
     check_short_edges(job.tile.short_edges);
-    const std::vector<SpaceJobFile> files = plan_space_files(job);
-    const std::vector<std::string> recovered = require_space_files_writable(job, files);
+    const std::vector<JobFile> files = plan_files(job);
+    const std::vector<std::string> recovered = require_all_writable(job, files);
     require_available(run_takes(job), estimated_memory(job, files), kFewerOutputs);
     try {
         SpaceSummary summary = run(job, files, callback);

@@ -1,4 +1,4 @@
-#include "plugin/space/space_memory.hpp"
+#include "plugin/job/space_memory.hpp"
 
 #include <algorithm>
 
@@ -20,20 +20,20 @@ constexpr double kRemovingEdges = 7600;
 constexpr double kRemovedEdges = 1200;
 
 /// Bytes a site of the largest part of a run with these files.
-double largest_bytes(const Job& job, const std::vector<SpaceJobFile>& files) {
+double largest_bytes(const Job& job, const std::vector<JobFile>& files) {
     const double left = job.tile.short_edges > 0 ? kRemovedEdges : 0;
     double a_site = job.tile.short_edges > 0 ? kRemovingEdges : kBuilding;
     double held = 0;
-    for (const SpaceJobFile& file : files) {
-        a_site = std::max(a_site, file.format->memory + left);
-        if (file.format->shows_tetrahedra(job.space_files)) held = kHeldTetrahedra;
+    for (const JobFile& file : files) {
+        a_site = std::max(a_site, file.format->space->memory + left);
+        if (file.format->space->shows_tetrahedra(job.space_files)) held = kHeldTetrahedra;
     }
     return a_site + held;
 }
 
 }  // namespace
 
-double estimated_memory(const Job& job, const std::vector<SpaceJobFile>& files) {
+double memory_in_space(const Job& job, const std::vector<JobFile>& files) {
     const double n = job.n_wanted();
     // The bytes a site are those of sites that are spread evenly.
     const double n_even = std::max(n, job.n_tetrahedra / space::kTetrahedraPerSite);
@@ -42,7 +42,7 @@ double estimated_memory(const Job& job, const std::vector<SpaceJobFile>& files) 
 
 double memory_of_cells(const Job& job, int n_sites) { return memory_to_write(job, n_sites, {}); }
 
-double memory_to_write(const Job& job, int n_sites, const std::vector<SpaceJobFile>& files) {
+double memory_to_write(const Job& job, int n_sites, const std::vector<JobFile>& files) {
     return n_sites * (largest_bytes(job, files) - kComputed);
 }
 

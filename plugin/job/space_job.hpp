@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/bytes/output_error.hpp"
-#include "io/space_formats.hpp"
+#include "io/formats/space_format.hpp"
 #include "mesher/cvt/run_options.hpp"
 #include "mesher/space/cvt/cvt.hpp"
 #include "mesher/space/cvt/minimum.hpp"

@@ -1,4 +1,4 @@
-#include "io/space_file_proof.hpp"
+#include "io/formats/space_file_proof.hpp"
 
 #include <utility>
 
@@ -155,7 +155,7 @@ void prove_own_space_files(const std::vector<EncodedFile>& files, const SpaceTil
 }
 
 TetrahedralFileProof prove_tetrahedral_file(const EncodedFile& file, double tolerance) {
-    const SpaceFormat& format = *find_space_format(file.path);
+    const SpaceFormat& format = *find_format(file.path)->space;
     TetrahedralFileProof result{.mesh = format.decode_tetrahedra(file), .proof = {}};
     result.proof = prove_tetrahedra(result.mesh, tolerance);
     format.compare_tetrahedra(file, result.mesh);

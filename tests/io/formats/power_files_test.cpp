@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/file_proof.hpp"
+#include "io/formats/file_proof.hpp"
 #include "mesher/base/error.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/example_lattices.hpp"
@@ -20,14 +20,14 @@ using testing::kOblique;
 
 constexpr int kSites = 24;
 
-bool holds_power_cells(const TileFormat& format, const plane::Tile& tile, plane::Outline outline) {
+bool holds_power_cells(const Format& format, const plane::Tile& tile, plane::Outline outline) {
     if (!format.needs_tile() || !format.is_readable()) return false;
     if (!format.holds_polygons && tile.kind == plane::MeshKind::kVoronoi) return false;
     return !format.is_folder || outline == plane::Outline::kWhole ||
            tile.kind != plane::MeshKind::kVoronoi;
 }
 
-std::vector<FileOptions> forms(const TileFormat& format) {
+std::vector<FileOptions> forms(const Format& format) {
     std::vector<FileOptions> forms{{}};
     if (format.takes_gltf_nodes) forms.push_back({.gltf_nodes = GltfNodes::kOne});
     if (format.takes_single_precision) forms.push_back({.single_precision = true});
@@ -35,7 +35,7 @@ std::vector<FileOptions> forms(const TileFormat& format) {
 }
 
 /// The complaint of `pcvt check`; empty if it accepts the files.
-std::string power_refusal(const TileFormat& format, const std::vector<EncodedFile>& files) {
+std::string power_refusal(const Format& format, const std::vector<EncodedFile>& files) {
     try {
         prove_file(format, files, decode_tile(format, files, std::nullopt));
         return "";
@@ -45,7 +45,7 @@ std::string power_refusal(const TileFormat& format, const std::vector<EncodedFil
 }
 
 /// Whether the format takes the numbers of the tile: fields of 20 characters do not take all.
-bool has_room(const TileFormat& format, const plane::Tile& tile) {
+bool has_room(const Format& format, const plane::Tile& tile) {
     const double size = tile.lattice.a().norm();
     return format.extension != ".inp" || (size > 0.1 && size < 1e5);
 }
@@ -64,7 +64,7 @@ void expect_same_notes(const TileFile& file, const plane::Tile& tile) {
 }
 
 void expect_round_trips(const plane::Tile& tile, plane::Outline outline) {
-    for (const TileFormat& format : tile_formats()) {
+    for (const Format& format : formats()) {
         if (!holds_power_cells(format, tile, outline) || !has_room(format, tile)) continue;
         const std::string path = "t" + std::string(format.extension);
         SCOPED_TRACE(path);
@@ -111,9 +111,9 @@ TEST(PowerFiles, FewSitesTouchTheirOwnImagesSlow) {
 }
 
 /// The formats that hold cells.
-std::vector<const TileFormat*> cell_formats() {
-    std::vector<const TileFormat*> formats;
-    for (const TileFormat& format : tile_formats()) {
+std::vector<const Format*> cell_formats() {
+    std::vector<const Format*> formats;
+    for (const Format& format : formats()) {
         const bool reads = format.needs_tile() && format.is_readable();
         if (reads && format.holds_polygons) formats.push_back(&format);
     }
@@ -121,7 +121,7 @@ std::vector<const TileFormat*> cell_formats() {
 }
 
 /// The complaint of `pcvt check` about the files of `written`.
-std::string power_refusal(const TileFormat& format, const plane::Tile& written) {
+std::string power_refusal(const Format& format, const plane::Tile& written) {
     const std::string path = "t" + std::string(format.extension);
     const std::vector<EncodedFile> files = encode_tile(format, written, path);
     return power_refusal(format, files);
@@ -129,7 +129,7 @@ std::string power_refusal(const TileFormat& format, const plane::Tile& written) 
 
 TEST(PowerFiles, ExchangedWeightsAreRefusedInEveryFormat) {
     const plane::Tile tile = testing::power_tile(kOblique, kSites, 1, testing::cell_shapes()[0]);
-    for (const TileFormat* format : cell_formats()) {
+    for (const Format* format : cell_formats()) {
         EXPECT_EQ(power_refusal(*format, tile), "");
         for (int s = 0; s + 1 < kSites; ++s) {
             plane::Tile changed = tile;
@@ -155,7 +155,7 @@ TEST(PowerFiles, AWeightThatIsOffByAHundredThousandthIsRefused) {
             for (const double step : {1e-5 * scale, -1e-5 * scale, 1e-5 * squared}) {
                 plane::Tile changed = tile;
                 changed.site_weights[s] += step;
-                EXPECT_THAT(power_refusal(*find_tile_format("t.obj"), changed),
+                EXPECT_THAT(power_refusal(*find_format("t.obj"), changed),
                             HasSubstr("law of the sites"))
                     << s;
             }
@@ -167,7 +167,7 @@ TEST(PowerFiles, AWeightThatIsOffByAHundredThousandthIsRefused) {
 TEST(PowerFiles, CellsWithoutTheirWeightsAreRefused) {
     plane::Tile tile = testing::power_tile(kOblique, kSites, 3, testing::cell_shapes()[0]);
     tile.site_weights.clear();
-    for (const TileFormat* format : cell_formats()) {
+    for (const Format* format : cell_formats()) {
         EXPECT_THAT(power_refusal(*format, tile), HasSubstr("law of the sites"))
             << format->extension;
     }
@@ -185,14 +185,14 @@ TEST(PowerFiles, AnotherMetricIsRefused) {
             plane::Tile changed = tile;
             changed.metric = metric;
             for (const char* path : {"t.obj", "t.ply", "t.om", "t.vtu", "t.foam"}) {
-                EXPECT_THAT(power_refusal(*find_tile_format(path), changed),
+                EXPECT_THAT(power_refusal(*find_format(path), changed),
                             HasSubstr("law of the sites"))
                     << path << ' ' << metric.ratio() << ' ' << metric.degrees();
             }
         }
         plane::Tile turned = tile;
         turned.metric = plane::Metric(ratio, degrees + 180);
-        EXPECT_EQ(power_refusal(*find_tile_format("t.obj"), turned), "");
+        EXPECT_EQ(power_refusal(*find_format("t.obj"), turned), "");
     }
 }
 
@@ -200,7 +200,7 @@ TEST(PowerFiles, AnotherMetricIsRefused) {
 std::string power_fault_with(const plane::Tile& tile, const std::string& path,
                              const std::string& name, const std::string& piece,
                              const std::string& other) {
-    const TileFormat& format = *find_tile_format(path);
+    const Format& format = *find_format(path);
     const std::vector<EncodedFile> files =
         testing::exchanged(encode_tile(format, tile, path), name, piece, other);
     return power_refusal(format, files);
@@ -219,7 +219,7 @@ TEST(PowerFiles, NotesThatAreMalformedAreRefusedInOneLine) {
     EXPECT_THAT(
         fault("# pcvt metric 0.4 -77.25\n", "# pcvt metric 0.4 -77.25\n# pcvt metric 0.4 -77.25\n"),
         HasSubstr("a second line states the metric; keep one"));
-    const std::string text = encode_tile(*find_tile_format("t.obj"), tile, "t.obj")[0].bytes;
+    const std::string text = encode_tile(*find_format("t.obj"), tile, "t.obj")[0].bytes;
     const std::size_t begin = text.find("\n# pcvt site ") + 1;
     const std::string row = text.substr(begin, text.find('\n', begin) - begin);
     EXPECT_THAT(fault(row, row.substr(0, row.rfind(' '))),

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "io/file_proof.hpp"
-#include "io/tile_formats.hpp"
+#include "io/formats/file_proof.hpp"
+#include "io/formats/formats.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/plane/proof/generated_tile.hpp"
 #include "tests/support/holed_tiles.hpp"
@@ -28,7 +28,7 @@ const std::vector<plane::Tile>& tiles() {
     return tiles;
 }
 
-bool holds_holed(const TileFormat& format, const plane::Tile& tile) {
+bool holds_holed(const Format& format, const plane::Tile& tile) {
     if (!format.needs_tile() || !format.is_readable()) return false;
     if (!format.holds_polygons && tile.kind == plane::MeshKind::kVoronoi) return false;
     const bool is_cut = tile.kind == plane::MeshKind::kVoronoi && !tile.whole_sides.empty();
@@ -38,7 +38,7 @@ bool holds_holed(const TileFormat& format, const plane::Tile& tile) {
 /// Calls visit(format, tile, files) for each format and each tile that it holds.
 template <class Visit>
 void for_each_file(const Visit& visit) {
-    for (const TileFormat& format : tile_formats()) {
+    for (const Format& format : formats()) {
         for (const plane::Tile& tile : tiles()) {
             if (!holds_holed(format, tile)) continue;
             const std::string path = "t" + std::string(format.extension);
@@ -50,7 +50,7 @@ void for_each_file(const Visit& visit) {
 }
 
 TEST(HoledFiles, EachFormatGivesTheHolesBackAndIsProved) {
-    for_each_file([](const TileFormat& format, const plane::Tile& tile, const Files& files) {
+    for_each_file([](const Format& format, const plane::Tile& tile, const Files& files) {
         const TileFile file = decode_tile(format, files, std::nullopt);
         EXPECT_EQ(file.tile.holes, tile.holes);
         EXPECT_EQ(file.tile.wall_edges, tile.wall_edges);
@@ -71,7 +71,7 @@ std::string complaint(const TileFile& file) {
 }
 
 TEST(HoledFiles, AFileThatLacksAnEdgeOfAHoleIsRefused) {
-    for_each_file([](const TileFormat& format, const plane::Tile&, const Files& files) {
+    for_each_file([](const Format& format, const plane::Tile&, const Files& files) {
         TileFile file = decode_tile(format, files, std::nullopt);
         const plane::WallEdge last = file.tile.wall_edges.back();
         file.tile.wall_edges.pop_back();
@@ -84,7 +84,7 @@ TEST(HoledFiles, AFileThatLacksAnEdgeOfAHoleIsRefused) {
 }
 
 TEST(HoledFiles, EdgesOfVerticesThatDoNotExistAreRefused) {
-    for_each_file([](const TileFormat& format, const plane::Tile& tile, Files files) {
+    for_each_file([](const Format& format, const plane::Tile& tile, Files files) {
         for (EncodedFile& file : files) {
             const std::size_t at = file.bytes.find("pcvt hole hole_1 ");
             if (at == std::string::npos) continue;

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/formats/space_format.hpp"
+#include "io/forms/space_surface.hpp"
+#include "io/gltf/glb_mesh_reader.hpp"
+#include "io/gltf/glb_mesh_writer.hpp"
+#include "io/graphics/obj_reader.hpp"
+#include "io/graphics/obj_writer.hpp"
+#include "io/graphics/om_reader.hpp"
+#include "io/graphics/om_writer.hpp"
+#include "io/graphics/ply_reader.hpp"
+#include "io/graphics/ply_writer.hpp"
+#include "io/openfoam/foam_polyhedra.hpp"
+#include "io/openfoam/foam_text.hpp"
+#include "io/openfoam/foam_writer.hpp"
+#include "io/pictures/space_picture.hpp"
+#include "io/solvers/msh_tetrahedra.hpp"
+#include "io/solvers/msh_writer.hpp"
+#include "io/solvers/vtu_volumes.hpp"
+#include "io/solvers/vtu_writer.hpp"
+
+namespace pcvt::space_rows {
+
+// What rows of the table of formats name for space.
+
+/// Encodes volumes, which have one form.
+template <auto kEncode>
+std::vector<EncodedFile> encode_volumes(const SpaceTile& tile, const SpaceFileOptions&,
+                                        const std::string& path) {
+    return kEncode(tile, path);
+}
+
+inline std::vector<EncodedFile> encode_polyhedra(const SpaceTile& tile, const std::string& folder) {
+    return encode_foam(foam_case(tile), folder);
+}
+
+template <class Mesh>
+std::vector<EncodedFile> encode_grid(const Mesh& mesh, const std::string& path) {
+    return encode_vtu(vtu_grid(mesh), path);
+}
+
+inline std::vector<EncodedFile> encode_entities(const space::TetrahedralMesh& mesh,
+                                                const std::string& path) {
+    return encode_msh(entity_mesh(mesh), path);
+}
+
+template <auto kEncode, SeamForm kSeam>
+std::vector<EncodedFile> encode_surfaces(const SpaceTile& tile, const SpaceFileOptions& options,
+                                         const std::string& path) {
+    SurfaceList list = surface_list(tile.mesh, tile.sites, options.surfaces);
+    return kEncode(surface_mesh(std::move(list), kSeam), path);
+}
+
+inline std::vector<EncodedFile> encode_boundary(const SpaceTile& tile, const SpaceFileOptions&,
+                                                const std::string& path) {
+    return encode_om_boundary(tile_surface(tile.mesh, tile.sites), path);
+}
+
+using Kind = std::optional<SpaceFileKind>;
+
+inline Kind case_kind(const std::vector<EncodedFile>& files) {
+    return is_foam_of_polyhedra(files) ? Kind(SpaceFileKind::kPolyhedra) : std::nullopt;
+}
+
+template <SpaceFileKind kKind, auto kHolds>
+Kind kind_where(const std::vector<EncodedFile>& files) {
+    return kHolds(files.front()) ? Kind(kKind) : std::nullopt;
+}
+
+inline Kind vtu_kind(const std::vector<EncodedFile>& files) {
+    if (holds_vtu_polyhedra(files.front())) return SpaceFileKind::kPolyhedra;
+    return holds_vtu_tetrahedra(files.front()) ? Kind(SpaceFileKind::kTetrahedra) : std::nullopt;
+}
+
+template <auto kDecode>
+Kind surfaces_kind(const std::vector<EncodedFile>& files) {
+    if (!states_surfaces(files.front().bytes)) return std::nullopt;
+    const bool are_cells = kDecode(files.front()).form == SurfaceForm::kCells;
+    return are_cells ? SpaceFileKind::kPolyhedra : SpaceFileKind::kBoundary;
+}
+
+}  // namespace pcvt::space_rows
