@@ -85,7 +85,8 @@ class ObjParser {
     void parse_vertex(Words words) {
         if (words.size() != 3 && words.size() != 6) {
             scanner_.throw_bad_file(
-                "a vertex has 3 numbers, or 6 with its colour; write \"v x y 0\"");
+                "a vertex has 3 numbers, or 6 with its colour; write \"v x y z\", with z = 0 in "
+                "the plane");
         }
         std::array<double, 6> numbers{};
         for (std::size_t k = 0; k < words.size(); ++k) numbers[k] = scanner_.number(words[k]);

@@ -33,6 +33,21 @@ TEST(SpaceSurface, ColoursBothSidesOfASeamAlike) {
     EXPECT_EQ(mesh.face_class.size(), 6U);
 }
 
+TEST(SpaceSurface, StatesAPairOfFacesInOneLineOrInTwoRows) {
+    const SpaceTile tile = testing::random_space_tile(4);
+    const SurfaceList list = surface_list(tile.mesh, tile.sites, SurfaceForm::kBoundary);
+    const auto n_faces = static_cast<std::size_t>(list.surface.n_faces());
+    const std::vector<int> lines = surface_mesh(list, SeamForm::kLines).notes.back().integers();
+    ASSERT_EQ(lines.size(), n_faces / 2 * 5);
+    for (std::size_t k = 0; k < lines.size(); k += 5) {
+        EXPECT_GT((space::Offset{lines[k + 2], lines[k + 3], lines[k + 4]}), space::Offset{});
+        EXPECT_EQ(list.surface.partner[lines[k]], lines[k + 1]);
+    }
+    const std::vector<int> rows = surface_mesh(list, SeamForm::kColumns).notes.back().integers();
+    ASSERT_EQ(rows.size(), n_faces * 4);
+    EXPECT_EQ(rows[4], list.surface.partner[1]);
+}
+
 TEST(SpaceSurface, GivesBackItsCells) {
     const SpaceTile tile = testing::random_space_tile(5);
     const SurfaceList list = surface_list(tile.mesh, tile.sites, SurfaceForm::kCells);
