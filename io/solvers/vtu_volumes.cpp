@@ -188,8 +188,7 @@ class VtuPolyhedra {
             std::sort(points.begin(), points.end());
             if (points == cell_points(cells, s)) continue;
             fail(arrays_.find("Cells/connectivity")->line,
-                 "cell " + std::to_string(s) +
-                     " has other points than its faces; write the file again");
+                 "cell " + std::to_string(s) + " has other points than its faces");
         }
     }
 
