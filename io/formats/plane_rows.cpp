@@ -163,7 +163,8 @@ std::vector<EncodedFile> write_vtu(const plane::Tile& tile, const FileOptions& o
 
 std::vector<EncodedFile> write_foam(const plane::Tile& tile, const FileOptions& options,
                                     const std::string& path) {
-    return encode_foam(foam_case(tile, options.thickness, options.materials), path);
+    return encode_foam(foam_case(tile, extruded_mesh(tile, options.thickness), options.materials),
+                       path);
 }
 
 }  // namespace pcvt::plane_rows

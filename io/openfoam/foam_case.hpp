@@ -23,11 +23,13 @@ struct FoamZone {
 /// tiles become one (foam_layer.hpp, foam_polyhedra.hpp).
 ///
 /// Example usage:
-///     const FoamCase foam = foam_case(tile);
+///     const FiniteVolumeMesh layer = extruded_mesh(tile);
+///     const FoamCase foam = foam_case(tile, layer);
 ///     const std::vector<EncodedFile> files = encode_foam(foam, "tile.foam");
 struct FoamCase {
     FoamCells cells;
-    FiniteVolumeMesh mesh;
+    /// Must outlive the case.
+    const FiniteVolumeMesh& mesh;
     CellFlow flow;
     /// The comments in the boundary file, from foam_notes() on.
     std::string notes;

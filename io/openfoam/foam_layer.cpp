@@ -9,7 +9,6 @@
 #include "io/tiles/material_words.hpp"
 #include "io/tiles/site_notes.hpp"
 #include "mesher/finite_volume/extruded_base.hpp"
-#include "mesher/finite_volume/extruded_mesh.hpp"
 
 namespace pcvt {
 namespace {
@@ -90,18 +89,17 @@ void give_notes(const EncodedFile& boundary, FileTileBuilder comments, plane::Ti
 
 }  // namespace
 
-FoamCase foam_case(const plane::Tile& tile, double thickness, const CellMaterials* materials) {
+FoamCase foam_case(const plane::Tile& tile, const FiniteVolumeMesh& layer,
+                   const CellMaterials* materials) {
     require_finite(tile);
     // A case states the phases alone.
     CellMaterials phases;
     if (materials != nullptr) {
         phases = {.phase_names = materials->phase_names, .site_phase = materials->site_phase};
     }
-    FiniteVolumeMesh mesh = extruded_mesh(tile, thickness);
-    CellFlow flow = cell_flow(DecayingFlow(tile.lattice, tile.walls), tile, mesh);
     return {.cells = FoamCells::kLayer,
-            .mesh = std::move(mesh),
-            .flow = std::move(flow),
+            .mesh = layer,
+            .flow = cell_flow(DecayingFlow(tile.lattice, tile.walls), tile, layer),
             .notes = layer_notes(tile, phases),
             .zones = phase_zones(tile, phases)};
 }

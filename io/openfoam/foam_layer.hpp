@@ -7,6 +7,7 @@
 #include "io/tiles/encoded_file.hpp"
 #include "io/tiles/tile_file.hpp"
 #include "mesher/cells/cell_materials.hpp"
+#include "mesher/finite_volume/extruded_mesh.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
@@ -19,12 +20,13 @@ namespace pcvt {
 /// phase_NAME.
 ///
 /// Example usage:
-///     const std::vector<EncodedFile> files = encode_foam(foam_case(tile), "tile.foam");
+///     const std::vector<EncodedFile> files = encode_foam(foam_case(tile, extruded_mesh(tile)),
+///     "tile.foam");
 ///
-/// @param thickness  of the layer, length units; 0: as extruded_mesh() chooses it.
+/// @param layer      extruded_mesh(tile), which must outlive the case.
 /// @param materials  of the sites of one period, for faces that have sites; null: none.
 /// @throws InternalError if a coordinate is not finite.
-FoamCase foam_case(const plane::Tile& tile, double thickness = 0,
+FoamCase foam_case(const plane::Tile& tile, const FiniteVolumeMesh& layer,
                    const CellMaterials* materials = nullptr);
 
 /// Reads the tile at the back of a case that is one cell thick, with the edge pairs of its cyclic

@@ -11,6 +11,7 @@ namespace pcvt {
 /// Returns the case of a tile of polyhedra, with a BeltramiFlow at the centroids of the cells. Cell
 /// s is the cell of site s. The notes hold the period vectors, the images of the sites and the
 /// length of removed edges.
+/// The tile must outlive the case.
 ///
 /// Example usage:
 ///     const std::vector<EncodedFile> files = encode_foam(foam_case(tile), "tile.foam");

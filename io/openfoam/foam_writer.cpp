@@ -24,20 +24,22 @@ std::string encode_points(const FoamCase& foam) {
         foam_header("vectorField", kMeshFolder, "points") + count_line(points.size());
     // The front of a layer repeats x and y of the back, whose digits are copied.
     const std::size_t half = points.size() / 2;
-    std::vector<std::pair<std::size_t, std::size_t>> places;
+    std::vector<std::size_t> places;
+    places.reserve(half + 1);
     for (std::size_t v = 0; v < points.size(); ++v) {
         checkpoint_each(static_cast<long>(v));
         text += '(';
-        const std::size_t begin = text.size();
+        if (v <= half) places.push_back(text.size());
         if (v >= half && same_place(points[v - half], points[v])) {
-            text.append(text, places[v - half].first, places[v - half].second);
+            const std::size_t from = places[v - half];
+            const std::size_t end = text.find(' ', text.find(' ', from) + 1) + 1;
+            text.append(text, from, end - from);
         } else {
             append_number(text, points[v].x());
             text += ' ';
             append_number(text, points[v].y());
             text += ' ';
         }
-        if (v <= half) places.emplace_back(begin, text.size() - begin);
         append_number(text, points[v].z());
         text += ")\n";
     }

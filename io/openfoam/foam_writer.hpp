@@ -25,7 +25,7 @@ std::vector<std::string> foam_paths(const std::string& folder) {
 /// Example usage:
 ///     OutputSet output;
 ///     output.stage_folder("tile.foam");
-///     for (const EncodedFile& file : encode_foam(foam_case(tile), "tile.foam")) {
+///     for (const EncodedFile& file : encode_foam(foam_case(tile, layer), "tile.foam")) {
 ///         output.stage(file.path, file.bytes);
 ///     }
 std::vector<EncodedFile> encode_foam(const FoamCase& foam, const std::string& folder);

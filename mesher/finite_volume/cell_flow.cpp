@@ -189,6 +189,7 @@ CellFlow cell_flow(const BeltramiFlow& flow, const space::PolyhedralMesh& mesh) 
     CellFlow cells{.courant_rate = largest_exchange(flow, mesh, bodies),
                    .rate = flow.rate(),
                    .turn_time = flow.turn_time()};
+    cells.velocity.reserve(bodies.size());
     for (const space::CellBody& body : bodies) {
         cells.velocity.push_back(flow.velocity(body.centroid));
     }

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/openfoam/foam_layer.hpp"
-#include "io/openfoam/foam_writer.hpp"
-#include "mesher/finite_volume/extruded_mesh.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "tests/support/grid_tile.hpp"
+#include "tests/support/layer_case.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/tile_equality.hpp"
 
@@ -18,8 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 std::vector<EncodedFile> grid_case() {
-    return encode_foam(foam_case(testing::grid_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 3, 2)),
-                       "t.foam");
+    return testing::layer_case(testing::grid_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 3, 2));
 }
 
 EncodedFile& file_named(std::vector<EncodedFile>& files, const std::string& name) {
@@ -53,8 +50,7 @@ TEST(Foam, TilesReadBackExactlyWithTheirEdgePairs) {
         for (const plane::Tile& tile :
              {testing::grid_tile(lattice, 3, 2), testing::grid_tile(lattice, 1, 1),
               testing::triangle_grid_tile(lattice, 2, 5)}) {
-            const TileFile file =
-                decode_foam_layer(encode_foam(foam_case(tile), "t.foam"), std::nullopt);
+            const TileFile file = decode_foam_layer(testing::layer_case(tile), std::nullopt);
             EXPECT_TRUE(file.has_edge_pairs);
             EXPECT_EQ(file.tile.points, tile.points);
             EXPECT_EQ(file.tile.kind, tile.kind);
@@ -107,7 +103,7 @@ double number_after(std::vector<EncodedFile>& files, const std::string& name,
 TEST(Foam, TheFirstStepHasACourantNumberOfAtMostAHalf) {
     for (const auto& [columns, rows] : {std::pair(12, 12), std::pair(90, 30), std::pair(10, 200)}) {
         const plane::Tile tile = testing::grid_tile(plane::Lattice::rectangle(1, 1), columns, rows);
-        auto files = encode_foam(foam_case(tile), "t.foam");
+        auto files = testing::layer_case(tile);
         const double step = number_after(files, "system/controlDict", "deltaT");
         const double end = number_after(files, "system/controlDict", "endTime");
         const double interval = number_after(files, "system/controlDict", "writeInterval");
@@ -122,8 +118,7 @@ TEST(Foam, TheFirstStepHasACourantNumberOfAtMostAHalf) {
 }
 
 TEST(Foam, CellsThatAreTooLargeForTheFlowStartAtRest) {
-    auto files =
-        encode_foam(foam_case(testing::grid_tile(plane::Lattice::rectangle(1, 1), 1, 2)), "t.foam");
+    auto files = testing::layer_case(testing::grid_tile(plane::Lattice::rectangle(1, 1), 1, 2));
     EXPECT_THAT(file_named(files, "constant/transportProperties").bytes,
                 HasSubstr("U and T start as 0"));
     EXPECT_THAT(file_named(files, "0/U").bytes, HasSubstr("\n2\n(\n(0 0 0)\n(0 0 0)\n);\n"));
@@ -153,6 +148,10 @@ TEST(Foam, FaultsNameTheirFileAndLine) {
                 HasSubstr("'seam_0_1' is neither an empty one, a wall nor one side of a seam; "));
     EXPECT_THAT(fault_with("constant/polyMesh/boundary", "Patch  seam_0_-1", "Patch  other"),
                 HasSubstr("there is no patch 'other'; "));
+    EXPECT_THAT(fault_with("constant/polyMesh/boundary", " 0);", " 1);"),
+                HasSubstr("a separation leaves the plane; make z 0"));
+    EXPECT_THAT(fault_with("constant/polyMesh/boundary", "seam_0_1", "seam_0_1_0"),
+                HasSubstr("'seam_0_1_0' is neither"));
     auto files = grid_case();
     files.erase(files.begin() + 2);
     EXPECT_THAT(fault_of(files), HasSubstr("there is no constant/polyMesh/owner beside it; "));
@@ -173,9 +172,8 @@ const CellMaterials& two_phases() {
 }
 
 std::vector<EncodedFile> phase_example() {
-    return encode_foam(
-        foam_case(testing::grid_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 3, 2), 0, &two_phases()),
-        "t.foam");
+    return testing::layer_case(testing::grid_tile(plane::Lattice({1, 0}, {0.37, 0.81}), 3, 2), 0,
+                               &two_phases());
 }
 
 TEST(Foam, CellsOfAPhaseAreAZone) {
@@ -207,7 +205,7 @@ TEST(Foam, FalsePhasesAreRefused) {
 TEST(Foam, NonFiniteCoordinatesAreInternalErrors) {
     plane::Tile tile = testing::grid_tile(plane::Lattice::rectangle(1, 1), 1, 1);
     tile.points[0].x() = std::nan("");
-    EXPECT_THROW(encode_foam(foam_case(tile), "t.foam"), InternalError);
+    EXPECT_THROW(testing::layer_case(tile), InternalError);
 }
 
 TEST(Foam, DamagedFilesGiveATileOrAFaultAndNothingElse) {

@@ -4,10 +4,9 @@
 #include <random>
 
 #include "io/formats/file_proof.hpp"
-#include "io/openfoam/foam_layer.hpp"
-#include "io/openfoam/foam_writer.hpp"
 #include "io/formats/formats.hpp"
 #include "mesher/plane/proof/validate.hpp"
+#include "tests/support/layer_case.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/walled_tiles.hpp"
 
@@ -26,7 +25,7 @@ std::string& text_of(Files& files, const std::string& name) {
 }
 
 Files walled_case(Walls walls = Walls::kY) {
-    return encode_foam(foam_case(walled_tile(walls, WallCells::kWhole, 12, {})), "t.foam");
+    return testing::layer_case(walled_tile(walls, WallCells::kWhole, 12, {}));
 }
 
 /// Returns why `pcvt check` refuses the files; empty if it accepts them.
@@ -63,7 +62,7 @@ TEST(FoamWalls, TilesReadBackExactlyWithTheirWalls) {
                 SCOPED_TRACE(std::string(walls_row(walls).word) + ' ' + row.word + ' ' +
                              std::to_string(n));
                 const plane::Tile tile = walled_tile(walls, cells, n, {.kind = row.kind});
-                const Files files = encode_foam(foam_case(tile), "t.foam");
+                const Files files = testing::layer_case(tile);
                 EXPECT_EQ(wall_fault(files), "");
                 const TileFile file = decode_foam_layer(files, std::nullopt);
                 EXPECT_TRUE(file.has_wall_edges);
@@ -85,10 +84,9 @@ TEST(FoamWalls, TheFieldsHaveConditionsOnWalls) {
         EXPECT_THAT(text_of(files, "0/p"), HasSubstr(name + "zeroGradient; }"));
         EXPECT_THAT(text_of(files, "0/T"), HasSubstr(name + "zeroGradient; }"));
     }
-    Files moving =
-        encode_foam(foam_case(walled_tile(Walls::kXY, WallCells::kWhole, 150, {})), "t.foam");
+    Files moving = testing::layer_case(walled_tile(Walls::kXY, WallCells::kWhole, 150, {}));
     EXPECT_THAT(text_of(moving, "constant/transportProperties"), HasSubstr("U begins to fall as"));
-    moving = encode_foam(foam_case(walled_tile(Walls::kY, WallCells::kWhole, 150, {})), "t.foam");
+    moving = testing::layer_case(walled_tile(Walls::kY, WallCells::kWhole, 150, {}));
     // pi^2, for the height 1.
     EXPECT_THAT(text_of(moving, "constant/transportProperties"), HasSubstr("fall as exp(-9.8696"));
 }
@@ -141,7 +139,7 @@ TEST(FoamWalls, RangesOfWallPatchesAreProved) {
 
 TEST(FoamWalls, ThicknessesAreReadBack) {
     const plane::Tile tile = walled_tile(Walls::kY, WallCells::kWhole, 12, {});
-    Files files = encode_foam(foam_case(tile, 0.3), "t.foam");
+    Files files = testing::layer_case(tile, 0.3);
     EXPECT_EQ(decode_foam_layer(files, std::nullopt).thickness, 0.3);
     EXPECT_EQ(wall_fault(files), "");
     const Format& format = *find_format("t.foam");
