@@ -58,6 +58,27 @@ def check_jobs(folder, text):
     require("did not" not in text, "a run did not converge")
 
 
+def check_tiles(folder, text):
+    require(len(re.findall(r"^(?:grains|tile)\.\w+: a periodic tile", text, re.M)) == 3, "check does not accept a tile")
+    require("areas of 60 cells" in text, "check does not compare the areas")
+
+
+def check_rosette(folder, text):
+    require_files(folder, "rosette.svg")
+    require("rosette.vtu: a periodic tile" in text, "check does not accept rosette.vtu")
+    with open(folder / "rosette.csv", encoding="ascii") as lines:
+        orbits = [int(row["orbit"]) for row in csv.DictReader(line for line in lines if not line.startswith("#"))]
+    require(len(orbits) == 242 and max(orbits.count(orbit) for orbit in set(orbits)) == 8, "an orbit has other sites")
+
+
+def check_measured_sizes(folder, _):
+    with open(folder / "grains.csv", encoding="ascii") as lines:
+        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    for row, diameter in zip(rows, (0.50, 0.62, 0.41, 0.45, 0.70), strict=True):
+        require_near(float(row["diameter"]), diameter, 1e-9, "a diameter")
+    require(float(rows[0]["phi2"]) == -70, "the orientation of grain 0")
+
+
 def check_sizes(folder, _):
     require_files(folder, "grains.svg", "grains.csv")
     roundness = json.loads((folder / "grains.json").read_text())["areas"]["circularity_mean"]
@@ -114,16 +135,23 @@ def check_stresses(folder, text):
     stiffness = number(text, r"^xx +(\S+)") / plane
     require(1 / (0.7 / 210000 + 0.3 / 2100000) < stiffness < 0.7 * 210000 + 0.3 * 2100000,
             f"the homogenised modulus is {stiffness}")
+
+
+def check_conductivities(folder, _):
     # Between the bounds of Reuss and Voigt.
     mean = float((folder / "mean.txt").read_text().split()[-1])
     require(1 / 0.73 < mean < 3.7, f"the mean conductivity is {mean}")
 
 
 def check_fibres(folder, _):
-    require_files(folder, "shapes.svg", "shapes.obj")
+    require_files(folder, "shapes.svg", "shapes.obj", "channel.msh", "channel.svg")
     require({"phase_fibre", "phase_carbon", "phase_steel"} <= set(re.findall(
         r"^usemtl (\S+)$", (folder / "shapes.obj").read_text(), re.M)), "a tag has no material")
     require_near(float((folder / "mean.txt").read_text().split()[-1]), 3.080, 1e-3, "the mean conductivity")
+
+
+def check_composite(folder, _):
+    require_files(folder, "composite.inp", "composite.svg")
 
 
 def check_cylinders(_, text):
@@ -189,6 +217,17 @@ def check_space(folder, text):
     fall = sum(speeds(case / "0.25/U")) / sum(speeds(case / "0/U"))
     # With ten cells to the wave the rate is right within 5 %.
     require_near(math.log(fall), -1, 0.05, "the logarithm of the fall of the speed")
+
+
+def check_surfaces(folder, text):
+    require_files(folder, "cells.svg")
+    accepted = re.findall(r"^(?:cells|boundary)\.\w+: (?:surfaces of |the boundary of )?a periodic tile of polyhedra", text, re.M)
+    require(len(accepted) == 5, "check does not accept the surfaces")
+
+
+def check_faces(_, text):
+    on_side, of_cell = number(text, r"^(\d+) faces on one side"), number(text, r"(\d+) faces of cell 0$")
+    require(on_side > 10 and of_cell >= 4, f"{on_side} faces on one side, {of_cell} of cell 0")
 
 
 def check_graphics(folder, text):
@@ -269,44 +308,68 @@ def check_python(folder, text):
     require(re.search(r"^energy 0\.000\d+, \d+ points, 300 cells$", text, re.M), "what it prints")
 
 
+def check_polyhedra(folder, _):
+    require_files(folder, "tile.foam/constant/polyMesh/faces")
+
+
 ROWS = {
     ("pcvt", ""): Row(reason="tests/plugin/browser/run imports the npm package"),
     ("pcvt", "Install"): Row(reason="samples/demo, samples/browser and tests/run are run by themselves"),
     ("pcvt", "A first mesh in a minute"): Row(check_first_mesh),
-    ("pcvt", "One command for each job"): Row(check_jobs),
     ("pcvt", "Citation"): Row(reason="an entry of a bibliography"),
-    ("Samples", ""): Row(),  # typed before each recipe
-    ("Samples", "Graded meshes"): Row(check_graded),
-    ("Samples", "Walls"): Row(check_walls),
+    # The guide. A row without a check is typed before each recipe of its page.
+    ("Guide", "One command for each job"): Row(check_jobs),
+    ("Install", "In one command"): Row(reason="samples/demo, samples/browser and tests/run are run by themselves"),
+    ("Install", "From the sources"): Row(reason="tests/install/run installs pcvt and builds against it"),
+    ("Install", "Packages"): Row(reason="tests/install/packages makes the packages and uses them"),
+    ("First mesh", "Make a tile"): Row(check_first_mesh),
+    ("Checking files", "Check a file"): Row(check_tiles),
+    ("Densities", ""): Row(),
+    ("Densities", "Formulas and pictures"): Row(check_graded),
+    ("Grain sizes", ""): Row(),
+    ("Grain sizes", "A law of grain sizes"): Row(check_sizes),
+    ("Phases and orientations", ""): Row(),
+    ("Phases and orientations", "Stresses in a polycrystal"): Row(check_stresses, programs=("ccx",)),
+    ("Phases and orientations", "Conductivities of phases by name"): Row(check_conductivities, programs=("gmsh", "getdp")),
+    ("Walls", ""): Row(),
+    ("Walls", "A channel and a box"): Row(check_walls),
+    ("Inclusions and fixed sites", ""): Row(),
+    ("Inclusions and fixed sites", "Fibres and other shapes"): Row(check_fibres, programs=("gmsh", "getdp")),
+    ("Inclusions and fixed sites", "A fibre composite"): Row(check_composite),
+    ("Inclusions and fixed sites", "Flow past cylinders"): Row(check_cylinders, programs=("simpleFoam",)),
+    ("Symmetry", ""): Row(),
+    ("Symmetry", "A rosette"): Row(check_rosette),
+    ("Space", ""): Row(),
+    ("Space", "Polyhedra for OpenFOAM and VTK"): Row(check_space, programs=("icoFoam",)),
+    ("Space", "Surfaces and pictures"): Row(check_surfaces),
+    ("Space", "Space in Python"): Row(check_faces),
+    ("Your own data", ""): Row(),
+    ("Your own data", "Your own points"): Row(check_own_points),
+    ("Your own data", "Grains of measured sizes"): Row(check_measured_sizes),
+    ("Your own data", "Inclusions"): Row(reason="the form of a file"),
+    ("C and C++", "A program in C"): Row(check_c_program, programs=("cc",)),
+    ("Python", ""): Row(),
+    ("Python", "A tile and its seam"): Row(check_python, modules=("matplotlib",)),
+    ("Python", "Polyhedra"): Row(check_polyhedra),
+    ("JavaScript", "The package"): Row(reason="tests/plugin/browser/run packs the package and imports it"),
+    ("Samples", ""): Row(),
     ("Samples", "Materials"): Row(check_grains),
     ("Samples", "CalculiX and Abaqus"): Row(check_calculix, programs=("ccx",)),
-    ("Samples", "A law of grain sizes"): Row(check_sizes),
-    ("Samples", "Fibres and other inclusions"): Row(check_fibres, programs=("gmsh", "getdp")),
     ("Samples", "Voxels for DAMASK"): Row(check_voxels),
-    ("Samples", "Stresses in a polycrystal"): Row(check_stresses, programs=("ccx", "gmsh", "getdp")),
     ("Samples", "Gmsh"): Row(check_gmsh, modules=("gmsh",)),
     ("Samples", "GetDP"): Row(check_getdp, programs=("gmsh", "getdp")),
     ("Samples", "Two materials in GetDP, FreeFEM and dolfinx"): Row(
         check_two_materials, programs=("gmsh", "getdp", "FreeFem++-nw"), modules=("dolfinx",)),
     ("Samples", "VTK"): Row(check_vtk, modules=("vtkmodules",)),
     ("Samples", "Fluid dynamics: OpenFOAM"): Row(check_openfoam, programs=("icoFoam",)),
-    ("Samples", "Polyhedra in space"): Row(check_space, programs=("icoFoam",)),
-    ("Samples", "Flow past cylinders"): Row(check_cylinders, programs=("simpleFoam",)),
     ("Samples", "Graphics"): Row(check_graphics, programs=("meshlabserver", "xvfb-run", "xauth")),
     ("Samples", "Mathematics"): Row(check_mathematics),
-    ("Samples", "Your own points"): Row(check_own_points),
     ("Samples", "Ocean and atmosphere: MPAS"): Row(check_mpas, programs=("gpmetis",)),
     ("Samples", "Studies"): Row(check_table1),
     ("Samples", "GNU parallel"): Row(check_parallel, programs=("parallel",)),
     ("Samples", "Slurm"): Row(check_slurm, programs=("munged", "slurmctld", "slurmd", "sbatch"),
                               as_root=True, wrapper="slurm_node"),
-    ("plugin", "Install"): Row(reason="tests/install/run installs pcvt and builds against it"),
-    ("plugin", "Packages"): Row(reason="tests/install/packages makes the packages and uses them"),
-    ("plugin", "C and C++ through pcvt.h"): Row(check_c_program, programs=("cc",)),
-    ("plugin", "Python"): Row(check_python, modules=("matplotlib",)),
-    ("plugin", "JavaScript"): Row(reason="tests/plugin/browser/run packs the package and imports it"),
     ("mesher", "From sites to a tile"): Row(reason="a diagram"),
-    ("io", "Inclusions"): Row(reason="the form of a file"),
     ("Speed", ""): Row(reason="a benchmark"),
     ("Tests", "Run all tests"): Row(reason="this runs inside of tests/run"),
     ("Tests", "Run one test"): Row(reason="it builds, as tests/run did before"),
