@@ -74,8 +74,9 @@ enum {
     PCVT_ERROR_INTERNAL = -7
 };
 
-/** Where the sites begin when none are given. Three dimensions have DEFAULT, which is RANDOM there,
- *  RANDOM and LATTICE, the best exact lattice for n_sites. */
+/** Where the sites begin when none are given. Three dimensions have DEFAULT, which is COARSE there
+ *  from 1000 sites on that are optimised, else RANDOM; RANDOM; COARSE; and LATTICE, the best exact
+ *  lattice for n_sites. */
 enum {
     PCVT_START_DEFAULT = 0,
     PCVT_START_RANDOM = 1,
@@ -454,7 +455,7 @@ typedef struct pcvt_statistics {
 } pcvt_statistics;
 
 /** The options of pcvt_write(). Zero in all fields but struct_size is the default. In three
- *  dimensions only kind, replace, progress, progress_data and surface apply, and kind is
+ *  dimensions only report, kind, replace, progress, progress_data and surface apply, and kind is
  *  PCVT_VORONOI or PCVT_DELAUNAY; any other field is refused unless it has its default. */
 typedef struct pcvt_write_options {
     size_t struct_size;
@@ -558,12 +559,12 @@ PCVT_API pcvt_status pcvt_get_tile(const pcvt_result* result, int32_t kind, int3
 PCVT_API pcvt_status pcvt_get_cells(const pcvt_result* result, pcvt_cells* view, size_t view_size);
 
 /** Writes a tile, or the sites for the extension .txt, a table of the cells for .csv. In three
- * dimensions it writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the
- * Delaunay tetrahedra (.msh, and .vtu for PCVT_DELAUNAY) or the sites (.txt). Either all files
- * appear, complete and proved to be a periodic tile, or none; only the report appears where the
- * single precision of the file does not hold the tile (PCVT_ERROR_ARGUMENT). Missing folders are
- * made. Calls and runs that write to one folder at the same time rename their files one after the
- * other.
+ * dimensions it writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the boundary
+ * of the tile (.om, and the three before for PCVT_SURFACE_BOUNDARY), the Delaunay tetrahedra (.msh,
+ * and .vtu for PCVT_DELAUNAY), pictures (.svg, .png) or the sites (.txt). Either all files appear,
+ * complete and proved to be a periodic tile, or none; only the report appears where the single
+ * precision of the file does not hold the tile (PCVT_ERROR_ARGUMENT). Missing folders are made.
+ * Calls and runs that write to one folder at the same time rename their files one after the other.
  *  @param path     its extension selects the format; NULL: only the report.
  *  @param options  NULL: the defaults.
  *  @returns PCVT_CANCELLED if the progress callback cancelled; no file appears then.
