@@ -21,13 +21,13 @@ plane::Tile example(const Format& format) {
 }
 
 std::vector<Format> formats_of_tiles() {
-    std::vector<Format> formats;
-    std::copy_if(formats().begin(), formats().end(), std::back_inserter(formats),
+    std::vector<Format> of_tiles;
+    std::copy_if(formats().begin(), formats().end(), std::back_inserter(of_tiles),
                  [](const Format& format) { return format.needs_tile(); });
-    return formats;
+    return of_tiles;
 }
 
-TEST(TileFormats, ExtensionsPickTheFormatInAnyCase) {
+TEST(Formats, ExtensionsPickTheFormatInAnyCase) {
     for (const char* name :
          {".obj", ".ply", ".glb", ".gltf", ".om", ".svg", ".png", ".dxf", ".html", ".msh", ".inp",
           ".vtu", ".foam", ".nc", ".vti", ".csv", ".txt"}) {
@@ -40,7 +40,7 @@ TEST(TileFormats, ExtensionsPickTheFormatInAnyCase) {
     }
 }
 
-TEST(TileFormats, EveryFormatWritesThePathsThatItPromises) {
+TEST(Formats, EveryFormatWritesThePathsThatItPromises) {
     for (const Format& format : formats_of_tiles()) {
         const plane::Tile tile = example(format);
         const std::string path = "dir/tile" + std::string(format.extension);
@@ -55,7 +55,7 @@ TEST(TileFormats, EveryFormatWritesThePathsThatItPromises) {
     }
 }
 
-TEST(TileFormats, EveryFormatReadsItsOwnFilesButPictures) {
+TEST(Formats, EveryFormatReadsItsOwnFilesButPictures) {
     for (const Format& format : formats_of_tiles()) {
         const plane::Tile tile = example(format);
         const auto is_picture = {".svg", ".png", ".dxf", ".html"};
@@ -69,7 +69,7 @@ TEST(TileFormats, EveryFormatReadsItsOwnFilesButPictures) {
     }
 }
 
-TEST(TileFormats, SitesAndGridsOfTheTorusAreRowsAsWell) {
+TEST(Formats, SitesAndGridsOfTheTorusAreRowsAsWell) {
     const Format& sites = *find_format("s.txt");
     EXPECT_TRUE(std::holds_alternative<SiteWriter*>(sites.write));
     EXPECT_FALSE(sites.is_readable());
@@ -81,7 +81,7 @@ TEST(TileFormats, SitesAndGridsOfTheTorusAreRowsAsWell) {
                  InvalidInput);
 }
 
-TEST(TileFormats, TheSameTileGivesTheSameBytes) {
+TEST(Formats, TheSameTileGivesTheSameBytes) {
     for (const Format& format : formats_of_tiles()) {
         const auto first = encode_tile(format, example(format), "t");
         const auto second = encode_tile(format, example(format), "t");

@@ -112,12 +112,12 @@ TEST(PowerFiles, FewSitesTouchTheirOwnImagesSlow) {
 
 /// The formats that hold cells.
 std::vector<const Format*> cell_formats() {
-    std::vector<const Format*> formats;
+    std::vector<const Format*> of_cells;
     for (const Format& format : formats()) {
         const bool reads = format.needs_tile() && format.is_readable();
-        if (reads && format.holds_polygons) formats.push_back(&format);
+        if (reads && format.holds_polygons) of_cells.push_back(&format);
     }
-    return formats;
+    return of_cells;
 }
 
 /// The complaint of `pcvt check` about the files of `written`.
