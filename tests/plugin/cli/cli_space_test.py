@@ -264,7 +264,7 @@ class Tetrahedra(CliTest):
         self.succeed("mesh", "--sites", 20, *CUBE, "--mesh", "delaunay", "-o", "t.vtu")
         text = self.path("t.vtu").read_text()
         self.write("t.vtu", text.replace('"types" format="ascii">\n10\n', '"types" format="ascii">\n12\n'))
-        self.refuse(2, r"^t\.vtu:\d+: a cell is no tetrahedron", "check", "t.vtu")
+        self.refuse(2, r"^t\.vtu:\d+: the cells are not all tetrahedra", "check", "t.vtu")
         self.write("t.vtu", text.replace("<!--", "<!-- Written again.", 1))
         self.succeed("check", "t.vtu")
         # The first site is taken for another one.
@@ -274,7 +274,7 @@ class Tetrahedra(CliTest):
 
     def test_mesh_names_what_the_files_hold(self):
         run = ("mesh", "--sites", 8, *CUBE)
-        self.refuse(2, r"^pcvt: -o t\.foam: the format holds no tetrahedra; take \.vtu or \.msh, or write the cells in a "
+        self.refuse(2, r"^pcvt: -o t\.foam: the format holds no tetrahedra; take \.msh or \.vtu, or write the cells in a "
                        "run of their own$", *run, "--mesh", "delaunay", "-o", "t.vtu", "-o", "t.foam")
         self.refuse(2, r"^pcvt: -o t\.msh: the format holds the tetrahedra of --mesh delaunay; leave --mesh out$",
                     *run, "--mesh", "voronoi", "-o", "t.msh")
@@ -318,7 +318,7 @@ class Refusals(CliTest):
 
     def test_formats_without_volumes(self):
         for extension in ("inp", "nc", "vti", "csv", "unknown"):
-            self.refuse(2, rf"^pcvt: -o t\.{extension}: the format holds no volumes; take \.vtu, \.foam, \.msh, \.obj, \.ply, \.glb, \.om, \.svg, \.png or \.txt",
+            self.refuse(2, rf"^pcvt: -o t\.{extension}: the format holds no volumes; take \.obj, \.ply, \.glb, \.om, \.msh, \.vtu, \.svg, \.png, \.foam or \.txt",
                         "mesh", "--sites", 8, *CUBE, "-o", f"t.{extension}")
 
     def test_period_vectors(self):
