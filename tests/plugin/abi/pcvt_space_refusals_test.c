@@ -183,7 +183,7 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
     CHECK(pcvt_write(result, "", NULL) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_write(result, "refused.inp", NULL) == PCVT_ERROR_ARGUMENT);
     CHECK(strstr(pcvt_last_error(),
-                 ".vtu, .foam, .msh, .obj, .ply, .glb, .om, .svg, .png or .txt") != NULL);
+                 ".obj, .ply, .glb, .om, .msh, .vtu, .svg, .png, .foam or .txt") != NULL);
     pcvt_free(result);
 }
 
@@ -213,7 +213,7 @@ static void tetrahedra_are_for_files_that_hold_them(void) {
     CHECK(strstr(pcvt_last_error(), "take PCVT_VORONOI or PCVT_DELAUNAY") != NULL);
     how.kind = PCVT_DELAUNAY;
     CHECK(pcvt_write(result, "refused.foam", &how) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), "the format holds no tetrahedra; take .vtu or .msh") != NULL);
+    CHECK(strstr(pcvt_last_error(), "the format holds no tetrahedra; take .msh or .vtu") != NULL);
     CHECK(pcvt_write(result, "tetrahedra.vtu", &how) == PCVT_OK);
     CHECK(removes_file("tetrahedra.vtu"));
     pcvt_free(result);

@@ -86,6 +86,7 @@ TEST(JobReport, APatternIsTheLastKey) {
     RunSummary summary = example_summary();
     plane::LatticePattern lattice =
         plane::lattice_pattern(plane::Lattice({1, 0}, {0, 1}), {.a = 2, .b = 1, .d = 1});
+    lattice.basis = plane::Lattice({0.5, 0.5}, {-0.5, 0.5});
     lattice.energy = 0.25;
     summary.start.pattern =
         PatternOutcome<plane::LatticePattern>{.lattice = lattice, .stability = {}};

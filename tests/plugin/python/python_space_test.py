@@ -134,7 +134,7 @@ class Files(CliTest):
         result = pcvt.space(12)
         result.write(self.path("a.vtu"), mesh="delaunay", replace=True)
         self.assertEqual(self.contents(), of_command)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "the format holds no tetrahedra; take .vtu or .msh"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "the format holds no tetrahedra; take .msh or .vtu"):
             result.write(self.path("a.obj"), mesh="delaunay")
         with self.assertRaisesRegex(pcvt.ArgumentError, "mesh 'grains' is unknown; take one of voronoi, delaunay"):
             result.write(self.path("a.vtu"), mesh="grains", replace=True)
@@ -203,7 +203,7 @@ class Refusals(CliTest):
 
     def test_formats_without_volumes(self):
         result = pcvt.space(3)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "holds no volumes; take .vtu, .foam, .msh, .obj, .ply, .glb, .om, .svg, .png or .txt"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "holds no volumes; take .obj, .ply, .glb, .om, .msh, .vtu, .svg, .png, .foam or .txt"):
             result.write(self.path("t.inp"))
 
 
