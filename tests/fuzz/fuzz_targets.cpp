@@ -5,6 +5,7 @@
 #include <new>
 
 #include "io/formats/file_proof.hpp"
+#include "io/formats/formats.hpp"
 #include "io/gltf/glb_mesh_fields.hpp"
 #include "io/gltf/glb_mesh_reader.hpp"
 #include "io/graphics/seam_json.hpp"
@@ -15,7 +16,6 @@
 #include "io/run_files/orientation_reader.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "io/run_files/site_writer.hpp"
-#include "io/formats/formats.hpp"
 #include "io/voxels/vti_writer.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/finite_volume/mpas_grid_proof.hpp"

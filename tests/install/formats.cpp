@@ -1,10 +1,11 @@
 // Writes a tile, or a grid of the whole torus, in each format of the installed pcvt::io and reads
 // it back.
+#include "io/formats/formats.hpp"
+
 #include <cstdio>
 #include <optional>
 #include <string>
 
-#include "io/formats/formats.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/mesh/outline.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"

@@ -92,8 +92,7 @@ const CellMaterials& materials() {
 }
 
 /// The forms in which a format writes one tile of kSites sites.
-std::vector<std::pair<const char*, FileOptions>> forms(const Format& format,
-                                                       plane::MeshKind kind) {
+std::vector<std::pair<const char*, FileOptions>> forms(const Format& format, plane::MeshKind kind) {
     std::vector<std::pair<const char*, FileOptions>> forms{{"", {}}};
     if (format.takes_gltf_nodes) forms.push_back({" one-node", {.gltf_nodes = GltfNodes::kOne}});
     if (format.takes_single_precision) forms.push_back({" float32", {.single_precision = true}});

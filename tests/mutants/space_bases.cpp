@@ -1,8 +1,8 @@
 #include "tests/mutants/space_bases.hpp"
 
+#include "io/formats/space_file_proof.hpp"
 #include "io/gltf/glb_mesh_fields.hpp"
 #include "io/gltf/glb_mesh_reader.hpp"
-#include "io/formats/space_file_proof.hpp"
 #include "mesher/base/error.hpp"
 #include "tests/support/space_tiles.hpp"
 

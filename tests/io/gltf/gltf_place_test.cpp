@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "io/formats/file_proof.hpp"
+#include "io/formats/formats.hpp"
 #include "io/gltf/gltf_reader.hpp"
 #include "io/gltf/gltf_writer.hpp"
-#include "io/formats/formats.hpp"
 #include "tests/support/example_lattices.hpp"
 #include "tests/support/glb.hpp"
 #include "tests/support/grid_tile.hpp"

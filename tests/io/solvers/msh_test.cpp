@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "io/formats/formats.hpp"
 #include "io/solvers/msh_reader.hpp"
 #include "io/solvers/msh_writer.hpp"
-#include "io/formats/formats.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
