@@ -28,11 +28,11 @@ void append_lattice(JsonWriter& json, const char* key, const plane::Lattice& lat
 
 void append_pattern(JsonWriter& json, const RunSummary& summary) {
     if (!summary.start.pattern) return;
-    const auto& [lattice, stability] = *summary.start.pattern;
+    const plane::LatticePattern& lattice = summary.start.pattern->lattice;
     json.object("pattern", [&] {
         append_lattice(json, "basis", lattice.basis);
         json.member("hermite", std::array{lattice.form.a, lattice.form.b, lattice.form.d});
-        append_verdict(json, lattice.energy, stability);
+        append_verdict(json, lattice.energy, summary.start.pattern->stability);
     });
 }
 
@@ -119,7 +119,8 @@ void append_phases(JsonWriter& json, const RunSummary& summary) {
 
 void append_orientations(JsonWriter& json, const RunSummary& summary) {
     if (!summary.angles) return;
-    const auto& [least, greatest] = *summary.angles;
+    const BungeAngles& least = summary.angles->least;
+    const BungeAngles& greatest = summary.angles->greatest;
     json.object("orientations", [&] {
         json.member("phi1", std::array{least.phi1, greatest.phi1});
         json.member("Phi", std::array{least.Phi, greatest.Phi});

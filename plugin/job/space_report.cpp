@@ -12,12 +12,12 @@ namespace {
 void append_pattern(JsonWriter& json,
                     const std::optional<PatternOutcome<space::LatticePattern>>& pattern) {
     if (!pattern) return;
-    const auto& [lattice, stability] = *pattern;
+    const space::LatticePattern& lattice = pattern->lattice;
     json.object("pattern", [&] {
         json.list("basis", std::array{0, 1, 2}, [&](int k) { json.value(lattice.basis.col(k)); });
         const auto& [a, d, f, b, c, e] = lattice.form;
         json.member("hermite", std::array{a, d, f, b, c, e});
-        append_verdict(json, lattice.energy, stability);
+        append_verdict(json, lattice.energy, pattern->stability);
     });
 }
 
