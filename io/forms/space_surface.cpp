@@ -88,7 +88,8 @@ NoteTable lattice_note(const space::Lattice& lattice) {
     for (const space::Vec3& period : lattice.periods()) {
         numbers.insert(numbers.end(), period.begin(), period.end());
     }
-    return {.word = "lattice", .width = numbers.size(), .numbers = std::move(numbers)};
+    const std::size_t width = numbers.size();
+    return {.word = "lattice", .width = width, .numbers = std::move(numbers)};
 }
 
 NoteTable face_pairs(const space::TileSurface& surface) {
