@@ -168,9 +168,10 @@ void split_cells(SurfaceMesh& mesh, const plane::Tile& tile, const std::string& 
             mesh.face_class.push_back(class_of[f]);
         }
     }
-    for (NoteTable& note : mesh.notes) {
-        if (note.of == NoteOf::kFaces) note.numbers = std::move(sites);
-    }
+    const auto of_faces =
+        std::find_if(mesh.notes.begin(), mesh.notes.end(),
+                     [](const NoteTable& note) { return note.of == NoteOf::kFaces; });
+    if (of_faces != mesh.notes.end()) of_faces->numbers = std::move(sites);
 }
 
 }  // namespace

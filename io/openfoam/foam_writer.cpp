@@ -1,6 +1,5 @@
 #include "io/openfoam/foam_writer.hpp"
 
-#include <cstring>
 #include <filesystem>
 
 #include "io/bytes/text.hpp"
@@ -15,7 +14,7 @@ std::string count_line(std::size_t n) { return std::to_string(n) + "\n(\n"; }
 
 /// Whether two points have the same digits in x and y.
 bool same_place(const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
-    return std::memcmp(p.data(), q.data(), 2 * sizeof(double)) == 0;
+    return p.x() == q.x() && p.y() == q.y();
 }
 
 std::string encode_points(const FoamCase& foam) {
