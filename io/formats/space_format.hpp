@@ -61,7 +61,7 @@ struct SpaceFormat {
     /// no tile in space. Null for pictures and sites.
     std::optional<SpaceFileKind> (*kind)(const std::vector<EncodedFile>& files) = nullptr;
     /// Reads tetrahedra, and compares all that the file states beside them with what follows from
-    /// them. Not null where encode_tetrahedra is not.
+    /// them. Set if and only if encode_tetrahedra is set.
     space::TetrahedralMesh (*decode_tetrahedra)(const EncodedFile& file) = nullptr;
     void (*compare_tetrahedra)(const EncodedFile& file,
                                const space::TetrahedralMesh& mesh) = nullptr;

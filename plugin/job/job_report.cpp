@@ -10,7 +10,7 @@
 namespace pcvt {
 namespace {
 
-/// The largest of a figure over the tiles of the run that have it.
+/// The best value of a figure over the tiles of the run that have it; no value if none has.
 template <class Better>
 std::optional<double> best_of_tiles(const RunSummary& summary,
                                     std::optional<double> plane::TileFigures::*figure,
