@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "io/bytes/extension.hpp"
-#include "io/cutting/dxf_writer.hpp"
 #include "io/formats/plane_rows.hpp"
 #include "io/formats/single_precision.hpp"
 #include "io/formats/space_rows.hpp"
@@ -23,6 +22,7 @@
 #include "io/openfoam/foam_text.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/page/html_writer.hpp"
+#include "io/pictures/dxf_writer.hpp"
 #include "io/pictures/png_writer.hpp"
 #include "io/solvers/inp_fields.hpp"
 #include "io/solvers/inp_reader.hpp"

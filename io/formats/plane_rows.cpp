@@ -3,8 +3,6 @@
 #include <filesystem>
 
 #include "io/bytes/extension.hpp"
-#include "io/cutting/dxf_writer.hpp"
-#include "io/cutting/svg_cut_writer.hpp"
 #include "io/formats/single_precision.hpp"
 #include "io/forms/triangle_elements.hpp"
 #include "io/gltf/gltf_reader.hpp"
@@ -23,7 +21,9 @@
 #include "io/openfoam/foam_text.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/page/html_writer.hpp"
+#include "io/pictures/dxf_writer.hpp"
 #include "io/pictures/png_writer.hpp"
+#include "io/pictures/svg_cut_writer.hpp"
 #include "io/pictures/svg_writer.hpp"
 #include "io/run_files/cell_reader.hpp"
 #include "io/run_files/site_reader.hpp"

@@ -1,4 +1,4 @@
-#include "io/cutting/cut_lines.hpp"
+#include "io/pictures/cut_lines.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,8 +6,8 @@
 #include <sstream>
 #include <tuple>
 
-#include "io/cutting/dxf_writer.hpp"
-#include "io/cutting/svg_cut_writer.hpp"
+#include "io/pictures/dxf_writer.hpp"
+#include "io/pictures/svg_cut_writer.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
 
 namespace pcvt {
@@ -15,7 +15,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-plane::Tile tile(const plane::Lattice& lattice, plane::MeshKind kind, plane::Outline outline) {
+plane::Tile tile_to_cut(const plane::Lattice& lattice, plane::MeshKind kind,
+                        plane::Outline outline) {
     const plane::PeriodicDelaunay delaunay(plane::Sites(lattice, uniform_points(lattice, 25, 5)));
     plane::TileOptions options;
     options.kind = kind;
@@ -25,10 +26,10 @@ plane::Tile tile(const plane::Lattice& lattice, plane::MeshKind kind, plane::Out
 
 std::vector<plane::Tile> tiles() {
     const plane::Lattice oblique({1, 0}, {0.37, 0.81});
-    return {tile(oblique, plane::MeshKind::kVoronoi, plane::Outline::kWhole),
-            tile(oblique, plane::MeshKind::kVoronoi, plane::Outline::kBox),
-            tile(oblique, plane::MeshKind::kDelaunay, plane::Outline::kWhole),
-            tile(oblique, plane::MeshKind::kGrains, plane::Outline::kWhole)};
+    return {tile_to_cut(oblique, plane::MeshKind::kVoronoi, plane::Outline::kWhole),
+            tile_to_cut(oblique, plane::MeshKind::kVoronoi, plane::Outline::kBox),
+            tile_to_cut(oblique, plane::MeshKind::kDelaunay, plane::Outline::kWhole),
+            tile_to_cut(oblique, plane::MeshKind::kGrains, plane::Outline::kWhole)};
 }
 
 using Ends = std::set<std::pair<double, double>>;
@@ -124,8 +125,8 @@ TEST(CutLines, HaveTheWidthInMillimetres) {
 }
 
 TEST(CutLines, KeepTheUnitWithoutAWidth) {
-    const plane::Tile box =
-        tile(plane::Lattice::rectangle(3, 2), plane::MeshKind::kVoronoi, plane::Outline::kBox);
+    const plane::Tile box = tile_to_cut(plane::Lattice::rectangle(3, 2), plane::MeshKind::kVoronoi,
+                                        plane::Outline::kBox);
     double seam = 0;
     for (const FileLine& line : dxf_lines(encode_dxf(box, {}, "t.dxf")[0].bytes)) {
         if (line.layer == "SEAM") seam += (line.to - line.from).norm();

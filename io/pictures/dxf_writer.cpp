@@ -1,7 +1,7 @@
-#include "io/cutting/dxf_writer.hpp"
+#include "io/pictures/dxf_writer.hpp"
 
 #include "io/bytes/text.hpp"
-#include "io/cutting/cut_lines.hpp"
+#include "io/pictures/cut_lines.hpp"
 
 namespace pcvt {
 namespace {

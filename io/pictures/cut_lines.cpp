@@ -1,4 +1,4 @@
-#include "io/cutting/cut_lines.hpp"
+#include "io/pictures/cut_lines.hpp"
 
 #include "io/tiles/finite.hpp"
 #include "mesher/plane/tile/tile_edges.hpp"

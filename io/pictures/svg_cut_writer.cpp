@@ -1,9 +1,9 @@
-#include "io/cutting/svg_cut_writer.hpp"
+#include "io/pictures/svg_cut_writer.hpp"
 
 #include <cmath>
 
 #include "io/bytes/text.hpp"
-#include "io/cutting/cut_lines.hpp"
+#include "io/pictures/cut_lines.hpp"
 
 namespace pcvt {
 namespace {
