@@ -31,7 +31,7 @@ void append_real(JsonWriter& json, double value) {
         *end++ = '.';
         *end++ = '0';
     }
-    json.raw({begin, end});
+    json.raw({begin, static_cast<std::size_t>(end - begin)});
 }
 
 void append_real(JsonWriter& json, const char* key, double value) {
