@@ -192,11 +192,11 @@ const Format* find_format(const std::string& path);
 
 /// Returns the extensions of formats that hold tiles in space: ".obj, .ply, ... or .txt".
 std::string space_extensions();
-/// Returns those that show tetrahedra with SpaceMesh::kDelaunay, ".vtu or .msh".
+/// Returns those that show tetrahedra with the mesh delaunay, ".vtu or .msh".
 std::string tetrahedra_extensions();
 /// Returns those that state PolyhedralMesh::short_edges, ".vtu or .foam".
 std::string short_edges_extensions();
-/// Returns those whose form SpaceFileOptions::surfaces chooses, ".obj, .ply or .glb".
+/// Returns those whose form FileOptions::surfaces chooses, ".obj, .ply or .glb".
 std::string surface_extensions();
 
 /// Returns what these files, as `pcvt check` reads them, hold; nothing if it is no tile in space.

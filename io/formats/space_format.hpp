@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +8,7 @@
 #include "io/forms/space_tile.hpp"
 #include "io/forms/surface_list.hpp"
 #include "io/tiles/encoded_file.hpp"
+#include "mesher/plane/mesh/mesh_kind.hpp"
 #include "mesher/space/mesh/tetrahedral_mesh.hpp"
 
 namespace pcvt {
@@ -18,27 +18,8 @@ namespace pcvt {
 enum class SpaceFileKind { kPolyhedra, kTetrahedra, kBoundary, kTriangles };
 
 /// Whether a format holds surfaces: none, those of the cells or the boundary as
-/// SpaceFileOptions::surfaces chooses, or always the boundary.
+/// FileOptions::surfaces chooses, or always the boundary.
 enum class FormatSurfaces { kNone, kChosen, kBoundary };
-
-/// What a format that holds both the cells and the Delaunay tetrahedra shows.
-enum class SpaceMesh { kVoronoi, kDelaunay };
-
-/// A row of the table of choices (mesher/base/choices.hpp), with the numbers of pcvt.h.
-struct SpaceMeshRow {
-    SpaceMesh mesh;
-    const char* word;
-    int abi_value;
-    bool in_space = true;
-};
-inline constexpr std::array kSpaceMeshes{SpaceMeshRow{SpaceMesh::kVoronoi, "voronoi", 0},
-                                         SpaceMeshRow{SpaceMesh::kDelaunay, "delaunay", 1}};
-
-/// The forms of files that a user chooses.
-struct SpaceFileOptions {
-    SurfaceForm surfaces = SurfaceForm::kCells;
-    SpaceMesh mesh = SpaceMesh::kVoronoi;
-};
 
 /// The list of `path` alone.
 std::vector<std::string> single_path(const std::string& path);
@@ -53,7 +34,7 @@ struct SpaceFormat {
     /// The files of the output with this path, which encode() returns in this order.
     std::vector<std::string> (*paths)(const std::string& path) = single_path;
     /// Encodes a tile of polyhedra, and of tetrahedra; both null: the file holds the sites alone.
-    std::vector<EncodedFile> (*encode)(const SpaceTile& tile, const SpaceFileOptions& options,
+    std::vector<EncodedFile> (*encode)(const SpaceTile& tile, SurfaceForm surfaces,
                                        const std::string& path) = nullptr;
     std::vector<EncodedFile> (*encode_tetrahedra)(const space::TetrahedralMesh& mesh,
                                                   const std::string& path) = nullptr;
@@ -69,21 +50,21 @@ struct SpaceFormat {
     /// lost edges.
     bool states_short_edges = false;
 
-    /// Whether its files hold the tetrahedra.
-    bool shows_tetrahedra(const SpaceFileOptions& options) const {
+    /// Whether its files hold the tetrahedra, of a job with this mesh.
+    bool shows_tetrahedra(plane::MeshKind mesh) const {
         return encode_tetrahedra != nullptr &&
-               (encode == nullptr || options.mesh == SpaceMesh::kDelaunay);
+               (encode == nullptr || mesh == plane::MeshKind::kDelaunay);
     }
     /// Whether its files are written and never read back.
     bool is_picture() const { return encode != nullptr && kind == nullptr; }
     /// Whether it takes a tile that lost edges: a picture, a list of sites, or cells that state it.
-    bool takes_short_edges(const SpaceFileOptions& options) const {
-        if (shows_tetrahedra(options)) return false;
+    bool takes_short_edges(plane::MeshKind mesh) const {
+        if (shows_tetrahedra(mesh)) return false;
         return states_short_edges || encode == nullptr || is_picture();
     }
-    bool shows_boundary(const SpaceFileOptions& options) const {
+    bool shows_boundary(SurfaceForm chosen) const {
         return surfaces == FormatSurfaces::kBoundary ||
-               (surfaces == FormatSurfaces::kChosen && options.surfaces == SurfaceForm::kBoundary);
+               (surfaces == FormatSurfaces::kChosen && chosen == SurfaceForm::kBoundary);
     }
 };
 

@@ -30,7 +30,7 @@ namespace pcvt::space_rows {
 
 /// Encodes volumes, which have one form.
 template <auto kEncode>
-std::vector<EncodedFile> encode_volumes(const SpaceTile& tile, const SpaceFileOptions&,
+std::vector<EncodedFile> encode_volumes(const SpaceTile& tile, SurfaceForm,
                                         const std::string& path) {
     return kEncode(tile, path);
 }
@@ -50,13 +50,13 @@ inline std::vector<EncodedFile> encode_entities(const space::TetrahedralMesh& me
 }
 
 template <auto kEncode, SeamForm kSeam>
-std::vector<EncodedFile> encode_surfaces(const SpaceTile& tile, const SpaceFileOptions& options,
+std::vector<EncodedFile> encode_surfaces(const SpaceTile& tile, SurfaceForm surfaces,
                                          const std::string& path) {
-    SurfaceList list = surface_list(tile.mesh, tile.sites, options.surfaces);
+    SurfaceList list = surface_list(tile.mesh, tile.sites, surfaces);
     return kEncode(surface_mesh(std::move(list), kSeam), path);
 }
 
-inline std::vector<EncodedFile> encode_boundary(const SpaceTile& tile, const SpaceFileOptions&,
+inline std::vector<EncodedFile> encode_boundary(const SpaceTile& tile, SurfaceForm,
                                                 const std::string& path) {
     return encode_om_boundary(tile_surface(tile.mesh, tile.sites), path);
 }

@@ -1,24 +1,13 @@
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "io/bytes/text.hpp"
+#include "io/tiles/file_options.hpp"
 #include "io/tiles/note_table.hpp"
 #include "mesher/space/tile/tile_surface.hpp"
 
 namespace pcvt {
-
-/// What a file of surfaces shows: every cell of a tile, or the boundary of the tile.
-enum class SurfaceForm { kCells, kBoundary };
-
-struct SurfaceFormRow {
-    SurfaceForm form;
-    const char* word;
-    int abi_value;
-};
-inline constexpr std::array kSurfaceForms{SurfaceFormRow{SurfaceForm::kCells, "cells", 0},
-                                          SurfaceFormRow{SurfaceForm::kBoundary, "boundary", 1}};
 
 /// Surfaces in space as files list them. Those of cells have no pairs; their faces follow cell
 /// after cell, and `cell` is that of each face.

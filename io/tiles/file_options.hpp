@@ -27,6 +27,17 @@ inline constexpr std::array kGltfNodes{GltfNodesRow{GltfNodes::kCells, "cells", 
 
 inline constexpr int kDefaultPixels = 1024;
 
+/// What a file of surfaces shows: every cell of a tile, or the boundary of the tile.
+enum class SurfaceForm { kCells, kBoundary };
+
+struct SurfaceFormRow {
+    SurfaceForm form;
+    const char* word;
+    int abi_value;
+};
+inline constexpr std::array kSurfaceForms{SurfaceFormRow{SurfaceForm::kCells, "cells", 0},
+                                          SurfaceFormRow{SurfaceForm::kBoundary, "boundary", 1}};
+
 /// The values that a writer may need besides the tile. The rows of the table of formats name the
 /// members that a format takes.
 struct FileOptions {
@@ -61,6 +72,8 @@ struct FileOptions {
     ElasticChoices elastic = {};
     /// Of one layer of prisms, length units; 0: the mean distance of the cells.
     double thickness = 0;
+    /// In space: what files of surfaces hold.
+    SurfaceForm surfaces = SurfaceForm::kCells;
 };
 
 }  // namespace pcvt

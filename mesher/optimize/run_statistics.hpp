@@ -5,6 +5,21 @@ namespace pcvt {
 /// Why a run ended.
 enum class Stop { kConverged, kIterationLimit, kStalled, kCancelled };
 
+/// Its word in reports and messages: "converged", "iteration-limit", "stalled", "cancelled".
+constexpr const char* stop_name(Stop stop) {
+    switch (stop) {
+        case Stop::kConverged:
+            return "converged";
+        case Stop::kIterationLimit:
+            return "iteration-limit";
+        case Stop::kStalled:
+            return "stalled";
+        case Stop::kCancelled:
+            return "cancelled";
+    }
+    return "";
+}
+
 /// The figures of an optimisation. The optimisers fill them in, and every result that reports a run
 /// holds them as its member `run`.
 ///

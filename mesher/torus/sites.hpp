@@ -61,6 +61,8 @@ class Sites {
     const Points& coordinates() const { return coordinates_; }
     /// The image of the site with reduced coordinates in [0, 1)^D, length units.
     Point position(SiteId site) const;
+    /// Those of all sites, one a column.
+    Points positions() const;
     /// The length scale h, the D-th root of the measure of the domain over n.
     double spacing() const { return lattice_.spacing(n_sites()); }
 

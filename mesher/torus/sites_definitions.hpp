@@ -65,6 +65,13 @@ typename Sites<Lattice>::Point Sites<Lattice>::position(SiteId site) const {
 }
 
 template <class Lattice>
+typename Sites<Lattice>::Points Sites<Lattice>::positions() const {
+    Points positions(Lattice::kDimension, n_sites());
+    for (SiteId s = 0; s < n_sites(); ++s) positions.col(s) = position(s);
+    return positions;
+}
+
+template <class Lattice>
 typename Lattice::Points uniform_points(const Lattice& lattice, int n, std::uint64_t seed) {
     if (n < 1) throw InvalidInput("the number of sites must be at least 1");
     std::mt19937_64 generator(seed);

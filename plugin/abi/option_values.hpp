@@ -36,6 +36,18 @@ const auto& chosen_row(const char* name, std::int32_t value, const Table& table)
                        " is unknown; take one of pcvt.h");
 }
 
+/// The row of a table of choices that has this number, of those that the dimension has.
+/// @param words  of the choices in space, for the message.
+template <class Table>
+const auto& row_for(bool in_space, const char* name, std::int32_t value, const Table& table,
+                    const char* words) {
+    if (!in_space) return chosen_row(name, value, table);
+    const auto* const row = find_abi_value(table, value);
+    if (row != nullptr && row->in_space) return *row;
+    throw InvalidInput(std::string(name) + " " + std::to_string(value) +
+                       " is not for three dimensions; take " + words);
+}
+
 template <class Value>
 bool differ(const Value& one, const Value& other) {
     return one != other;

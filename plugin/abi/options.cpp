@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "plugin/abi/feature_fields.hpp"
 #include "plugin/abi/option_values.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_start.hpp"
@@ -11,19 +12,6 @@ namespace pcvt::abi {
 namespace {
 
 // The numbers of the published interface never change.
-static_assert(mesh_kind_row(plane::MeshKind::kVoronoi).abi_value == PCVT_VORONOI);
-static_assert(mesh_kind_row(plane::MeshKind::kDelaunay).abi_value == PCVT_DELAUNAY);
-static_assert(mesh_kind_row(plane::MeshKind::kGrains).abi_value == PCVT_GRAINS);
-static_assert(find_abi_value(kPlaneElements, PCVT_CPE)->element == PlaneElement::kStrain);
-static_assert(find_abi_value(kPlaneElements, PCVT_CPS)->element == PlaneElement::kStress);
-static_assert(find_abi_value(kSolverJobs, PCVT_JOB_ELASTIC)->job == SolverJob::kElastic);
-static_assert(colouring_row(Colouring::kSides).abi_value == PCVT_COLOUR_SIDES);
-static_assert(colouring_row(Colouring::kSize).abi_value == PCVT_COLOUR_SIZE);
-static_assert(colouring_row(Colouring::kCells).abi_value == PCVT_COLOUR_CELLS);
-static_assert(colouring_row(Colouring::kDensity).abi_value == PCVT_COLOUR_DENSITY);
-static_assert(colouring_row(Colouring::kPhase).abi_value == PCVT_COLOUR_PHASE);
-static_assert(colouring_row(Colouring::kOrbit).abi_value == PCVT_COLOUR_ORBIT);
-static_assert(colouring_row(Colouring::kTag).abi_value == PCVT_COLOUR_TAG);
 static_assert(solver_row(Solver::kLbfgs).abi_value == PCVT_SOLVER_LBFGS);
 static_assert(solver_row(Solver::kLloyd).abi_value == PCVT_SOLVER_LLOYD);
 static_assert(solver_row(Solver::kNewton).abi_value == PCVT_SOLVER_NEWTON);
@@ -59,13 +47,32 @@ static_assert(plane::WallId::hole(0).number == PCVT_WALL_HOLE);
 static_assert(find_abi_value(kDuplicates, PCVT_DUPLICATES_REFUSE)->duplicates ==
               Duplicates::kRefuse);
 static_assert(find_abi_value(kDuplicates, PCVT_DUPLICATES_DROP)->duplicates == Duplicates::kDrop);
-static_assert(find_word(kGltfNodes, "cells")->abi_value == PCVT_NODES_CELLS);
-static_assert(find_word(kGltfNodes, "one")->abi_value == PCVT_NODES_ONE);
 
-std::optional<Start> start(const pcvt_options& options) {
+constexpr const char* kPlaneAlone =
+    "is not for three dimensions; leave it at its default, or set dimension to 2";
+constexpr const char* kSpaceAlone = "is for three dimensions; set dimension to 3";
+
+/// Requires a known dimension, and no field of the other one.
+/// @returns whether it is 3.
+bool means_space(const pcvt_options& options) {
+    if (options.dimension != 2 && options.dimension != 3) {
+        throw InvalidInput("dimension " + std::to_string(options.dimension) +
+                           " is unknown; take 2 or 3");
+    }
+    const bool in_space = options.dimension == 3;
+    require_default_fields(kOptionFields, options, default_options(),
+                           in_space ? &FeatureRow::in_space : &FeatureRow::in_plane,
+                           in_space ? kPlaneAlone : kSpaceAlone);
+    return in_space;
+}
+
+std::optional<Start> start(const pcvt_options& options, bool in_space) {
     require_one_start(options.sites, options.start);
     if (options.start == PCVT_START_DEFAULT) return std::nullopt;
-    return chosen_row("start", options.start, start_rows()).start;
+    return row_for(in_space, "start", options.start, start_rows(),
+                   "PCVT_START_DEFAULT, PCVT_START_RANDOM, PCVT_START_COARSE or "
+                   "PCVT_START_LATTICE")
+        .start;
 }
 
 int budget(const pcvt_options& options) {
@@ -79,9 +86,11 @@ int budget(const pcvt_options& options) {
     return static_cast<int>(options.budget);
 }
 
-Solver solver(std::int32_t value) {
+Solver solver(std::int32_t value, bool in_space) {
     if (value == PCVT_SOLVER_DEFAULT) return Job().run.solver;
-    return chosen_row("solver", value, kSolvers).solver;
+    return row_for(in_space, "solver", value, kSolvers,
+                   "PCVT_SOLVER_DEFAULT, PCVT_SOLVER_LBFGS or PCVT_SOLVER_LLOYD")
+        .solver;
 }
 
 void read_grains(const pcvt_options& options, Job& job) {
@@ -155,27 +164,51 @@ MaterialChoices materials(const pcvt_options& options) {
     return choices;
 }
 
+/// Points, n of them, one a column.
 /// @param name  of one of them in messages.
-plane::Points finite_points(const char* name, const double* numbers, std::int32_t n) {
-    require_finite_points(name, numbers, n, 2);
-    return Eigen::Map<const plane::Points>(numbers, 2, n);
+template <class Points>
+Points finite_points(const char* name, const double* numbers, std::int32_t n) {
+    constexpr int kDimension = Points::RowsAtCompileTime;
+    require_finite_points(name, numbers, n, kDimension);
+    return Eigen::Map<const Points>(numbers, kDimension, n);
 }
 
-plane::Points given_sites(const pcvt_options& options) {
-    if (options.sites == nullptr) return plane::Points(2, 0);
-    return finite_points("site", options.sites, options.n_sites);
-}
-
-plane::Points fixed_sites(const pcvt_options& options) {
-    if (options.fixed_sites != nullptr) {
-        return finite_points("fixed site", options.fixed_sites, options.n_fixed_sites);
+template <class Lattice>
+JobDomain<Lattice> domain_of(const pcvt_options& options, const Lattice& lattice) {
+    using Points = typename Lattice::Points;
+    JobDomain<Lattice> domain{.lattice = lattice,
+                              .points = Points(Lattice::kDimension, 0),
+                              .fixed = Points(Lattice::kDimension, 0)};
+    if (options.sites != nullptr) {
+        domain.points = finite_points<Points>("site", options.sites, options.n_sites);
     }
-    if (options.n_fixed_sites == 0) return plane::Points(2, 0);
-    throw InvalidInput("n_fixed_sites is not 0, but fixed_sites is a null pointer; give both");
+    if (options.fixed_sites != nullptr) {
+        domain.fixed =
+            finite_points<Points>("fixed site", options.fixed_sites, options.n_fixed_sites);
+    } else if (options.n_fixed_sites != 0) {
+        throw InvalidInput("n_fixed_sites is not 0, but fixed_sites is a null pointer; give both");
+    }
+    return domain;
 }
 
-}  // namespace
+plane::Lattice plane_lattice(const double* numbers) {
+    require_finite("lattice", numbers, 4);
+    return {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+}
 
+space::Lattice space_lattice(const double* numbers) {
+    require_finite("lattice3", numbers, 9);
+    const auto row = [numbers](int k) {
+        return space::Vec3(Eigen::Map<const space::Vec3>(numbers + 3 * k));
+    };
+    try {
+        return {row(0), row(1), row(2)};
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(std::string("lattice3: ") + error.what());
+    }
+}
+
+/// @throws InvalidInput where no sites are given.
 Duplicates duplicates(const pcvt_options& options) {
     const Duplicates chosen = chosen_row("duplicates", options.duplicates, kDuplicates).duplicates;
     if (chosen == Duplicates::kRefuse || options.sites != nullptr ||
@@ -185,45 +218,7 @@ Duplicates duplicates(const pcvt_options& options) {
     throw InvalidInput("duplicates is for given sites; leave it at its default, or give sites");
 }
 
-void check_struct_size(const char* name, std::size_t size, std::size_t oldest) {
-    // Fields are appended in multiples of eight bytes.
-    if (size < oldest || size > kLargestStruct || size % alignof(double) != 0) {
-        throw AbiMismatch(std::string(name) + " has size " + std::to_string(size) +
-                          " in place of " + std::to_string(oldest) +
-                          "; build the host with the header of this pcvt");
-    }
-}
-
-void throw_unknown_fields(const char* name) {
-    throw AbiMismatch(std::string(name) +
-                      " has fields that this pcvt does not know; take a newer one");
-}
-
-bool uses_reserved_fields(const pcvt_options& options) {
-    return options.reserved != 0 || options.reserved2 != 0 || options.reserved3 != 0 ||
-           options.reserved4 != 0 || options.reserved5 != 0;
-}
-
-bool uses_reserved_fields(const pcvt_write_options& options) { return options.reserved2 != 0; }
-
-void check_tail(const char* name, const void* begin, std::size_t size, std::size_t known) {
-    const char* bytes = static_cast<const char*>(begin);
-    if (std::any_of(bytes + known, bytes + size, [](char byte) { return byte != 0; })) {
-        throw_unknown_fields(name);
-    }
-}
-
-void check_version(std::uint32_t host) {
-    constexpr std::uint32_t own = PCVT_ABI_VERSION;
-    const bool same_major = host >> 16 == own >> 16;
-    const bool fits = own >> 16 == 0 ? host == own : host <= own;
-    if (same_major && fits) return;
-    const auto text = [](std::uint32_t version) {
-        return std::to_string(version >> 16) + "." + std::to_string(version & 0xFFFFU);
-    };
-    throw AbiMismatch("the host was built for interface " + text(host) + ", this library has " +
-                      text(own) + "; build the host with the header of this pcvt");
-}
+}  // namespace
 
 pcvt_options default_options() {
     pcvt_options options{};
@@ -238,78 +233,26 @@ pcvt_options default_options() {
     return options;
 }
 
-plane::MeshKind tile_kind(std::int32_t kind) {
-    return chosen_row("kind", kind, plane::kMeshKinds).kind;
-}
-
-plane::Outline tile_outline(std::int32_t outline) {
-    if (outline == PCVT_WHOLE) return plane::Outline::kWhole;
-    if (outline == PCVT_BOX) return plane::Outline::kBox;
-    throw InvalidInput("outline " + std::to_string(outline) + " is unknown; take one of pcvt.h");
-}
-
-FileOptions file_options(const pcvt_write_options& options) {
-    if (options.surface != PCVT_SURFACE_CELLS) {
-        throw InvalidInput("surface is for three dimensions; leave it at its default");
-    }
-    FileOptions result;
-    if (options.colour != PCVT_COLOUR_DEFAULT) {
-        result.colouring = chosen_row("colour", options.colour, kColourings).colouring;
-    }
-    if (options.background != nullptr) result.background = background_colour(options.background);
-    if (options.gltf_nodes != PCVT_NODES_DEFAULT) {
-        result.gltf_nodes = chosen_row("gltf_nodes", options.gltf_nodes, kGltfNodes).nodes;
-    }
-    result.single_precision = options.single_precision != 0;
-    if (options.pixels < 0) throw InvalidInput("pixels is negative; take 0 or more");
-    result.pixels = options.pixels;
-    if ((options.voxels[0] != 0 || options.voxels[1] != 0) &&
-        (options.voxels[0] < plane::kLeastVoxels || options.voxels[1] < plane::kLeastVoxels)) {
-        throw InvalidInput("voxels are fewer than 2 along an axis; take 2 or more, or 0 for both");
-    }
-    if (options.voxel_layers < 0) throw InvalidInput("voxel_layers is negative; take 0 or more");
-    result.voxels = {options.voxels[0], options.voxels[1], std::max(options.voxel_layers, 1)};
-    require_finite("coriolis", options.coriolis, 2);
-    if (options.coriolis[0] != 0 || options.coriolis[1] != 0) {
-        result.coriolis = {options.coriolis[0], options.coriolis[1]};
-    }
-    require_finite("cut_width", &options.cut_width, 1);
-    if (options.cut_width < 0) throw InvalidInput("cut_width is negative; take 0 or a length");
-    result.cut_width = options.cut_width;
-    require_finite("thickness", &options.thickness, 1);
-    if (options.thickness < 0) throw InvalidInput("thickness is negative; take 0 or a length");
-    result.thickness = options.thickness;
-    result.element = chosen_row("element", options.element, kPlaneElements).element;
-    if (options.job != PCVT_JOB_NONE) {
-        result.job = chosen_row("job", options.job, kSolverJobs).job;
-    }
-    if (options.materials != nullptr) {
-        try {
-            result.elastic = parse_elastic_choices(options.materials);
-        } catch (const InvalidInput& error) {
-            throw InvalidInput(std::string("materials: ") + error.what());
-        }
-    }
-    return result;
-}
-
 Job make_job(const pcvt_options& options) {
-    require_finite("lattice", options.lattice, 4);
-    require_finite("origin", options.origin, 2);
-    if (options.n_sites < 1 || options.n_sites > plane::kMostSites) {
-        throw InvalidInput("n_sites is not between 1 and " + std::to_string(plane::kMostSites));
+    const bool in_space = means_space(options);
+    const int most_sites = in_space ? space::kMostSites : plane::kMostSites;
+    if (options.n_sites < 1 || options.n_sites > most_sites) {
+        throw InvalidInput("n_sites is not between 1 and " + std::to_string(most_sites));
     }
+    require_finite("origin", options.origin, 2);
     require_positive("tolerance", options.tolerance);
     Job job;
-    job.in_plane().lattice = plane::Lattice({options.lattice[0], options.lattice[1]},
-                                            {options.lattice[2], options.lattice[3]});
-    job.in_plane().points = given_sites(options);
+    if (in_space) {
+        job.domain = domain_of(options, space_lattice(options.lattice3));
+    } else {
+        job.domain = domain_of(options, plane_lattice(options.lattice));
+    }
     job.n_sites = options.n_sites;
     job.seed = options.seed;
-    job.start = start(options);
+    job.start = start(options, in_space);
     job.budget = budget(options);
     read_grains(options, job);
-    job.run.solver = solver(options.solver);
+    job.run.solver = solver(options.solver, in_space);
     job.run.tolerance = options.tolerance;
     job.run.max_iterations = options.max_iterations;
     job.run.n_threads = thread_count(options.n_threads);
@@ -326,7 +269,6 @@ Job make_job(const pcvt_options& options) {
     job.walls = chosen_row("walls", options.walls, kWalls).walls;
     job.wall_cells = chosen_row("wall_cells", options.wall_cells, kWallCells).cells;
     job.materials = materials(options);
-    job.in_plane().fixed = fixed_sites(options);
     if (options.inclusions != nullptr) {
         job.inclusions = parse_inclusions("inclusions", options.inclusions);
     }

@@ -1,76 +1,16 @@
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <cstring>
-
-#include "plugin/abi/guard.hpp"
 #include "plugin/job/job.hpp"
+#include "plugin/pcvt.h"
 
 namespace pcvt::abi {
 
-/// The largest size of a struct that is accepted; a larger number cannot be the size of one.
-inline constexpr std::size_t kLargestStruct = 1 << 16;
-
-/// The size of a struct before fields were appended to it, which hosts of older headers of this
-/// PCVT_ABI_VERSION have.
-template <class Struct>
-inline constexpr std::size_t kOldestSize = sizeof(Struct);
-template <>
-inline constexpr std::size_t kOldestSize<pcvt_options> = offsetof(pcvt_options, duplicates);
-template <>
-inline constexpr std::size_t kOldestSize<pcvt_statistics> = offsetof(pcvt_statistics, dropped);
-template <>
-inline constexpr std::size_t kOldestSize<pcvt_write_options> = offsetof(pcvt_write_options,
-                                                                        materials);
-
-/// @throws AbiMismatch unless `size` is a multiple of 8 from `oldest` to kLargestStruct.
-void check_struct_size(const char* name, std::size_t size, std::size_t oldest);
-/// @throws AbiMismatch unless all bytes of a struct after the first `known` ones are zero.
-void check_tail(const char* name, const void* begin, std::size_t size, std::size_t known);
-
-/// Whether a host has set a field that later versions may use.
-bool uses_reserved_fields(const pcvt_options& options);
-bool uses_reserved_fields(const pcvt_write_options& options);
-/// @throws AbiMismatch
-[[noreturn]] void throw_unknown_fields(const char* name);
-
-/// The struct of the host, in this library's version; fields that the host does not know are zero.
-///   const pcvt_options options = read_struct("pcvt_options", given);
-/// @throws AbiMismatch as the functions above; InvalidInput for a null pointer.
-template <class Struct>
-Struct read_struct(const char* name, const Struct* given) {
-    if (given == nullptr) throw InvalidInput(std::string(name) + " is a null pointer");
-    std::size_t size = 0;
-    std::memcpy(&size, given, sizeof size);
-    check_struct_size(name, size, kOldestSize<Struct>);
-    if (size > sizeof(Struct)) check_tail(name, given, size, sizeof(Struct));
-    Struct own{};
-    std::memcpy(&own, given, std::min(size, sizeof own));
-    if (uses_reserved_fields(own)) throw_unknown_fields(name);
-    return own;
-}
-
-/// @throws AbiMismatch unless a host of this PCVT_ABI_VERSION may call this library.
-void check_version(std::uint32_t host);
-
 pcvt_options default_options();
 
-/// @throws InvalidInput for an unknown number, and where no sites are given.
-Duplicates duplicates(const pcvt_options& options);
-
 /// The job that the options describe. Copies the sites.
-/// @pre the dimension is 2.
-/// @throws InvalidInput, LimitExceeded naming the field.
+/// @throws InvalidInput, LimitExceeded naming the field, also for each one that the dimension of
+/// the
+///         job does not have.
 Job make_job(const pcvt_options& options);
-
-/// The kind and the outline of a number of the interface.
-/// @throws InvalidInput for an unknown number.
-plane::MeshKind tile_kind(std::int32_t kind);
-plane::Outline tile_outline(std::int32_t outline);
-
-/// The forms of files that the options choose.
-/// @throws InvalidInput naming the field.
-FileOptions file_options(const pcvt_write_options& options);
 
 }  // namespace pcvt::abi

@@ -14,8 +14,9 @@
 #include "plugin/abi/progress_sites.hpp"
 #include "plugin/abi/result.hpp"
 #include "plugin/abi/run_status.hpp"
-#include "plugin/abi/space_options.hpp"
 #include "plugin/abi/space_result.hpp"
+#include "plugin/abi/struct_versions.hpp"
+#include "plugin/abi/write_options.hpp"
 #include "plugin/job/job_start.hpp"
 #include "plugin/job/version.hpp"
 
@@ -75,7 +76,7 @@ JobCallback job_callback(const HostProgress& to, double energy_bound, const std:
 /// Of runs without a density, else NaN.
 double bound_of(const pcvt_options& options, const Job& job) {
     const bool uniform = options.density == nullptr && options.density_source == nullptr;
-    return uniform ? energy_bound(job, job.n_sites) : std::numeric_limits<double>::quiet_NaN();
+    return uniform ? energy_bound(job) : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// @returns false if the callback cancelled.
@@ -90,33 +91,23 @@ bool read_density(const pcvt_options& options, const JobCallback& callback, cons
     return true;
 }
 
-pcvt_status generate_in_plane(const pcvt_options& options, pcvt_result** result,
-                              const std::fenv_t& host) {
-    Job job = make_job(options);
+/// @tparam Content  Result or SpaceResult.
+template <class Content>
+pcvt_status generate(Job job, const pcvt_options& options, pcvt_result** result,
+                     const std::fenv_t& host) {
     settle_duplicates(job);
-    const JobCallback callback =
-        job_callback({options.progress, options.progress_data, &job}, bound_of(options, job), host);
-    std::optional<Computation> computed;
-    if (read_density(options, callback, host, job)) computed = compute_job(job, callback);
+    const Job* const shown = job.is_in_space() ? nullptr : &job;
+    const JobCallback callback = job_callback({options.progress, options.progress_data, shown},
+                                              bound_of(options, job), host);
+    std::optional<Computation<typename Content::World>> computed;
+    if (read_density(options, callback, host, job)) {
+        computed = compute_job<typename Content::World>(job, callback);
+    }
     if (!computed) return cancelled_status();
     const pcvt_status status = status_of(job.run.max_iterations, computed->cells.run);
     // The callback may not be called after this call.
     if (job.density) job.density = plane::Density{};
-    *result = new pcvt_result(std::in_place_type<Result>, std::move(job), *std::move(computed));
-    return status;
-}
-
-pcvt_status generate_in_space(const pcvt_options& options, pcvt_result** result,
-                              const std::fenv_t& host) {
-    Job job = make_space_job(options);
-    settle_duplicates(job);
-    const JobCallback callback =
-        job_callback({options.progress, options.progress_data}, pcvt::energy_bound(job), host);
-    std::optional<SpaceComputation> computed = compute_space_job(job, callback);
-    if (!computed) return cancelled_status();
-    const pcvt_status status = status_of(job.run.max_iterations, computed->cvt.run);
-    *result =
-        new pcvt_result(std::in_place_type<SpaceResult>, std::move(job), *std::move(computed));
+    *result = new pcvt_result(std::in_place_type<Content>, std::move(job), *std::move(computed));
     return status;
 }
 
@@ -124,8 +115,9 @@ pcvt_status generate(const pcvt_options* given, pcvt_result** result, const std:
     if (result == nullptr) throw InvalidInput("result is a null pointer");
     *result = nullptr;
     const pcvt_options options = read_struct("pcvt_options", given);
-    return means_space(options) ? generate_in_space(options, result, host)
-                                : generate_in_plane(options, result, host);
+    Job job = make_job(options);
+    return job.is_in_space() ? generate<SpaceResult>(std::move(job), options, result, host)
+                             : generate<Result>(std::move(job), options, result, host);
 }
 
 const auto& content(const pcvt_result* result) {
@@ -156,29 +148,6 @@ pcvt_status give(const char* name, View* view, std::size_t size, const Look& loo
     });
 }
 
-bool write_in_plane(const Result& result, const char* path, const pcvt_write_options& options,
-                    const std::fenv_t& host) {
-    WriteRequest request;
-    request.layout = {tile_kind(options.kind), tile_outline(options.outline)};
-    request.files = file_options(options);
-    if (path != nullptr) request.path = path;
-    if (options.report != nullptr) request.report = options.report;
-    request.replace = options.replace != 0;
-    const HostProgress progress{options.progress, options.progress_data};
-    return result.write(request, job_callback(progress, result.energy_bound(), host));
-}
-
-bool write_in_space(const SpaceResult& result, const char* path, const pcvt_write_options& options,
-                    const std::fenv_t& host) {
-    SpaceWriteRequest request;
-    if (path != nullptr) request.path = path;
-    if (options.report != nullptr) request.report = options.report;
-    request.files = space_file_options(request.path, options);
-    request.replace = options.replace != 0;
-    const HostProgress progress{options.progress, options.progress_data};
-    return result.write(request, job_callback(progress, result.energy_bound(), host));
-}
-
 pcvt_status write(const pcvt_result* result, const char* path, const pcvt_write_options* given,
                   const std::fenv_t& host) {
     const auto& made = content(result);
@@ -190,10 +159,14 @@ pcvt_status write(const pcvt_result* result, const char* path, const pcvt_write_
     if (path == nullptr && (options.report == nullptr || *options.report == '\0')) {
         throw InvalidInput("neither path nor report; give one");
     }
-    const auto* const plane = std::get_if<Result>(&made);
-    const bool is_written = plane != nullptr
-                                ? write_in_plane(*plane, path, options, host)
-                                : write_in_space(space_content(result), path, options, host);
+    const bool in_space = std::holds_alternative<SpaceResult>(made);
+    const WriteRequest request = write_request(path, options, in_space);
+    const HostProgress progress{options.progress, options.progress_data};
+    const bool is_written = std::visit(
+        [&](const auto& computed) {
+            return computed.write(request, job_callback(progress, computed.energy_bound(), host));
+        },
+        made);
     return is_written ? PCVT_OK : cancelled_status();
 }
 

@@ -5,7 +5,6 @@
 
 #include "mesher/plane/mesh/valence.hpp"
 #include "plugin/abi/guard.hpp"
-#include "plugin/abi/run_status.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_memory.hpp"
 #include "plugin/job/job_tiles.hpp"
@@ -36,7 +35,7 @@ void copy_lattice(const plane::Lattice& lattice, double* vectors) {
 }
 
 void note_orbits(TileArrays& arrays) {
-    const plane::Tile& tile = arrays.built.tile;
+    const plane::Tile& tile = arrays.built.front().tile;
     arrays.offset.resize(tile.points.size());
     for (int v = 0; v < tile.n_vertices(); ++v) arrays.orbit.push_back(v);
     for (const plane::VertexPair& pair : tile.vertex_pairs) {
@@ -84,15 +83,6 @@ InclusionArrays inclusion_arrays(const Tessellation& cells) {
     return arrays;
 }
 
-std::vector<int> counts_by_sides(const Tessellation& cells) {
-    std::vector<int> counts;
-    for (const auto& [sides, count] : plane::histogram(cell_sides(cells))) {
-        counts.resize(static_cast<std::size_t>(sides) + 1, 0);
-        counts[sides] = count;
-    }
-    return counts;
-}
-
 std::int32_t kind_number(plane::MeshKind kind) { return mesh_kind_row(kind).abi_value; }
 
 std::int32_t outline_number(plane::Outline outline) {
@@ -101,70 +91,66 @@ std::int32_t outline_number(plane::Outline outline) {
 
 }  // namespace
 
-Result::Result(Job job, Computation computed)
-    : job_(std::move(job)),
-      computed_(std::move(computed)),
-      sites_(wrapped_sites(computed_.cells, job_.tile.origin)),
-      inclusions_(inclusion_arrays(computed_.cells)) {
-    for (const std::string& name : computed_.materials.phase_names) {
+Result::Result(Job job, Computation<PlaneWorld> computed)
+    : ComputedJob(std::move(job), std::move(computed)),
+      sites_(wrapped_sites(this->computed().cells, this->job().tile.origin)),
+      inclusions_(inclusion_arrays(this->computed().cells)) {
+    for (const std::string& name : this->computed().materials.phase_names) {
         phase_names_.push_back(name.c_str());
     }
-    for (const std::string& name : job_.holes) hole_names_.push_back(name.c_str());
+    for (const std::string& name : this->job().holes) hole_names_.push_back(name.c_str());
 }
 
 const plane::PeriodicMesh& Result::periodic(plane::MeshKind kind) const {
     if (kind == plane::MeshKind::kGrains) {
         throw InvalidInput("grains exist only as a tile; use pcvt_get_tile");
     }
-    Job job = job_;
+    Job job = this->job();
     job.meshes = {kind};
     job.tile.outline = plane::Outline::kWhole;
     job.tile.columns = job.tile.rows = 1;
     check_job(job);
     return meshes_[kind_number(kind)].get([&] {
         require_memory_for_mesh(job, kind);
-        return from_geometry([&] { return mesh_outside_holes(computed_.cells, kind); });
+        return from_geometry([&] { return mesh_outside_holes(computed().cells, kind); });
     });
 }
 
 const TileArrays& Result::arrays(const Layout& layout, JobMonitor& monitor) const {
-    Job job = job_;
+    Job job = this->job();
     job.meshes = {layout.kind};
     job.tile.outline = layout.outline;
     check_job(job);
     return tiles_[kind_number(layout.kind)][outline_number(layout.outline)].get([&] {
         require_memory_for_mesh(job, layout.kind);
-        std::vector<plane::BuiltTile> built =
-            from_geometry([&] { return proved_tiles(job, computed_.cells, monitor); });
-        TileArrays made{std::move(built.front()), {}, {}, {}, {}};
+        TileArrays made{from_geometry([&] { return proved_tiles(job, computed().cells, monitor); }),
+                        {},
+                        {},
+                        {},
+                        {}};
         note_orbits(made);
         return made;
     });
 }
 
-double energy_bound(const Job& job, int n_sites) {
-    return job.density ? std::numeric_limits<double>::quiet_NaN()
-                       : plane::hexagonal_bound(job.in_plane().lattice.area(), n_sites);
-}
-
 double Result::energy_bound() const {
-    return job_.density ? std::numeric_limits<double>::quiet_NaN()
-                        : pcvt::energy_bound(computed_.cells);
+    return job().density ? std::numeric_limits<double>::quiet_NaN()
+                         : pcvt::energy_bound(computed().cells);
 }
 
 pcvt_sites Result::sites() const {
     pcvt_sites view{};
-    copy_lattice(job_.in_plane().lattice, view.lattice);
+    copy_lattice(job().in_plane().lattice, view.lattice);
     view.points = sites_.data();
     view.n_sites = static_cast<std::int32_t>(sites_.cols());
-    const Eigen::VectorXd& weights = computed_.cells.delaunay.weights();
+    const Eigen::VectorXd& weights = computed().cells.delaunay.weights();
     view.weights = weights.size() == 0 ? nullptr : weights.data();
-    const CellMaterials& materials = computed_.materials;
+    const CellMaterials& materials = computed().materials;
     if (!materials.site_phase.empty()) view.phases = numbers(materials.site_phase);
     if (!phase_names_.empty()) view.phase_names = phase_names_.data();
     view.n_phases = static_cast<std::int32_t>(phase_names_.size());
-    view.n_orbits = computed_.cells.n_orbits();
-    view.orbits = numbers(computed_.cells.site_orbits);
+    view.n_orbits = computed().cells.n_orbits();
+    view.orbits = numbers(computed().cells.site_orbits);
     // Three doubles each, without padding.
     static_assert(sizeof(BungeAngles) == 3 * sizeof(double));
     if (!materials.site_orientation.empty()) {
@@ -185,33 +171,16 @@ pcvt_inclusions Result::inclusions() const {
 }
 
 pcvt_statistics Result::statistics() const {
-    const std::vector<int>& valences =
-        valences_.get([&] { return counts_by_sides(computed_.cells); });
-    const Tessellation& cells = computed_.cells;
-    return {.energy = cells.run.energy,
-            .energy_bound = energy_bound(),
-            .residual = cells.run.residual,
-            .rms_residual = cells.run.rms_residual,
-            .seconds_build = computed_.seconds.build,
-            .seconds_optimize = computed_.seconds.optimize,
-            .valences = numbers(valences),
-            .n_valences = static_cast<std::int32_t>(valences.size()),
-            .n_hexagons = valences.size() > 6 ? valences[6] : 0,
-            .stop = stop_number(cells.run.stop),
-            .n_sites = static_cast<std::int32_t>(sites_.cols()),
-            .iterations = cells.run.iterations,
-            .evaluations = cells.run.evaluations,
-            .n_threads = job_.run.n_threads,
-            .n_mirrors = cells.counts.n_mirrors.value_or(-1),
-            .area_error = cells.areas ? cells.areas->largest_relative_error
-                                      : std::numeric_limits<double>::quiet_NaN(),
-            .newton_steps = cells.areas ? cells.areas->newton_steps : 0,
-            .n_dropped = static_cast<std::int32_t>(job_.dropped.sites.size()),
-            .dropped = dropped_pairs(job_.dropped)};
-}
-
-std::int32_t Result::minimum() const {
-    return minimum_.get([&] { return minimum_number(minimum_of(computed_.cells)); });
+    const Tessellation& cells = computed().cells;
+    pcvt_statistics view = ComputedJob::statistics(
+        energy_bound(), [&] { return plane::histogram(cell_sides(cells)); });
+    if (view.n_valences > 6) view.n_hexagons = view.valences[6];
+    view.n_sites = static_cast<std::int32_t>(sites_.cols());
+    view.n_mirrors = cells.counts.n_mirrors.value_or(-1);
+    view.area_error = cells.areas ? cells.areas->largest_relative_error
+                                  : std::numeric_limits<double>::quiet_NaN();
+    view.newton_steps = cells.areas ? cells.areas->newton_steps : 0;
+    return view;
 }
 
 pcvt_mesh Result::mesh(plane::MeshKind kind) const {
@@ -236,7 +205,7 @@ pcvt_tile Result::tile(const Layout& layout) const {
     const JobCallback no_callback;
     JobMonitor monitor(no_callback, {});
     const TileArrays& made = arrays(layout, monitor);
-    const plane::Tile& tile = made.built.tile;
+    const plane::Tile& tile = made.built.front().tile;
     pcvt_tile view{};
     copy_lattice(tile.lattice, view.lattice);
     view.points = numbers(tile.points);
@@ -256,30 +225,19 @@ pcvt_tile Result::tile(const Layout& layout) const {
     view.n_edge_pairs = static_cast<std::int32_t>(made.edge_pairs.size());
     view.wall_edges = made.wall_edges.empty() ? nullptr : made.wall_edges.data();
     view.n_wall_edges = static_cast<std::int32_t>(made.wall_edges.size());
-    view.n_holes = static_cast<std::int32_t>(job_.holes.size());
+    view.n_holes = static_cast<std::int32_t>(job().holes.size());
     if (!hole_names_.empty()) view.hole_names = hole_names_.data();
     return view;
 }
 
 bool Result::write(const WriteRequest& request, const JobCallback& callback) const {
-    Job job = job_;
-    job.meshes = {request.layout.kind};
-    job.tile.outline = request.layout.outline;
-    if (!request.path.empty()) job.outputs = {request.path};
-    job.file_options = request.files;
-    job.report = request.report;
-    job.force = request.replace;
-    // The cells have their materials, also where this file does not state them.
-    job.materials = {};
-    const std::vector<JobFile> files = plan_files(job);
+    const std::vector<JobFile> files = plan_files(job_of(request));
     const bool has_tile = !files.empty() && files.front().format->needs_tile();
-    const TileSource tiles = [&](JobMonitor& monitor) -> std::span<const plane::BuiltTile> {
-        if (!has_tile) return {};
-        return {&arrays(request.layout, monitor).built, 1};
+    const PlaneWorld::Tiles none;
+    const auto tiles = [&](JobMonitor& monitor) -> const PlaneWorld::Tiles& {
+        return has_tile ? arrays(request.layout, monitor).built : none;
     };
-    const RunSummary summary = write_job(job, computed_, tiles, callback);
-    if (!summary.refused.empty()) throw CoarsePrecision(summary.refused.front().reason);
-    return summary.run.stop != Stop::kCancelled;
+    return ComputedJob::write(request, tiles, callback);
 }
 
 }  // namespace pcvt::abi

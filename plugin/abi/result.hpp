@@ -2,34 +2,17 @@
 
 #include <array>
 
+#include "plugin/abi/computed_job.hpp"
 #include "plugin/abi/lazy.hpp"
-#include "plugin/job/job.hpp"
+#include "plugin/job/plane_world.hpp"
 #include "plugin/pcvt.h"
 
 namespace pcvt::abi {
 
-/// The kind and outline of a tile.
-struct Layout {
-    plane::MeshKind kind;
-    plane::Outline outline;
-};
-
-/// A call of pcvt_write().
-struct WriteRequest {
-    /// Empty: none, like `report`.
-    std::string path = {};
-    Layout layout = {plane::MeshKind::kVoronoi, plane::Outline::kWhole};
-    FileOptions files = {};
-    std::string report = {};
-    bool replace = false;
-};
-
-/// The energy of the hexagonal lattice; NaN with a density.
-double energy_bound(const Job& job, int n_sites);
-
 /// A tile and the arrays that its view borrows.
 struct TileArrays {
-    plane::BuiltTile built;
+    /// One.
+    PlaneWorld::Tiles built;
     std::vector<int> orbit;
     std::vector<plane::Offset> offset;
     std::vector<pcvt_edge_pair> edge_pairs;
@@ -47,16 +30,14 @@ struct InclusionArrays {
 
 /// A computed job, and views of it that are valid as long as it lives. Any number of threads may
 /// call it at once.
-class Result {
+class Result : public ComputedJob<PlaneWorld> {
    public:
-    Result(Job job, Computation computed);
+    Result(Job job, Computation<PlaneWorld> computed);
 
     double energy_bound() const;
     pcvt_sites sites() const;
     pcvt_inclusions inclusions() const;
     pcvt_statistics statistics() const;
-    /// PCVT_MINIMUM_...
-    std::int32_t minimum() const;
     /// @throws BadGeometry if cells are too small, as tile() and write().
     pcvt_mesh mesh(plane::MeshKind kind) const;
     /// @throws InvalidInput for Delaunay triangles in a box.
@@ -69,8 +50,6 @@ class Result {
     const plane::PeriodicMesh& periodic(plane::MeshKind kind) const;
     const TileArrays& arrays(const Layout& layout, JobMonitor& monitor) const;
 
-    Job job_;
-    Computation computed_;
     plane::Points sites_;
     std::vector<const char*> phase_names_;
     std::vector<const char*> hole_names_;
@@ -78,8 +57,6 @@ class Result {
     /// By the number of the kind, and of the outline.
     std::array<Lazy<plane::PeriodicMesh>, plane::kMeshKinds.size()> meshes_;
     std::array<std::array<Lazy<TileArrays>, 2>, plane::kMeshKinds.size()> tiles_;
-    Lazy<std::vector<int>> valences_;
-    Lazy<std::int32_t> minimum_;
 };
 
 }  // namespace pcvt::abi

@@ -5,9 +5,7 @@
 
 #include "mesher/space/mesh/cell_faces.hpp"
 #include "plugin/abi/guard.hpp"
-#include "plugin/abi/run_status.hpp"
 #include "plugin/job/job_memory.hpp"
-#include "plugin/job/space_files.hpp"
 #include "plugin/job/space_memory.hpp"
 
 namespace pcvt::abi {
@@ -43,31 +41,24 @@ CellArrays cell_arrays(const space::PolyhedralMesh& mesh, space::Points sites) {
     return arrays;
 }
 
-std::vector<int> counts_by_faces(const std::map<int, int>& face_counts) {
-    std::vector<int> counts;
-    for (const auto& [faces, count] : face_counts) {
-        counts.resize(static_cast<std::size_t>(faces) + 1, 0);
-        counts[faces] = count;
-    }
-    return counts;
+/// The result has the optimised sites; those that the run began with are not read again.
+Job of_result(Job job, const space::CvtResult& cells) {
+    job.n_sites = cells.delaunay.sites.n_sites();
+    job.in_space().points = space::Points(3, 0);
+    return job;
 }
 
 }  // namespace
 
-SpaceResult::SpaceResult(Job job, SpaceComputation computed)
-    : job_(std::move(job)), computed_(std::move(computed)) {
-    // The result has the optimised sites; those that the run began with are not read again.
-    job_.n_sites = computed_.cvt.delaunay.sites.n_sites();
-    job_.in_space().points = space::Points(3, 0);
-}
+SpaceResult::SpaceResult(Job job, Computation<SpaceWorld> computed)
+    : ComputedJob(of_result(std::move(job), computed.cells), std::move(computed)) {}
 
-double SpaceResult::energy_bound() const { return pcvt::energy_bound(job_); }
+double SpaceResult::energy_bound() const { return pcvt::energy_bound(job()); }
 
 const ProvedSpaceTile& SpaceResult::tile(JobMonitor& monitor) const {
     return tile_.get([&] {
-        require_available("the cells take", memory_of_cells(job_, job_.n_sites),
-                          "take fewer sites");
-        return prove_space_tile(job_, computed_, monitor);
+        require_available("the cells take", space_memory_to_write(job(), {}), "take fewer sites");
+        return SpaceWorld::build_tiles(job(), {}, computed(), monitor);
     });
 }
 
@@ -79,7 +70,8 @@ const ProvedSpaceTile& SpaceResult::tile() const {
 
 const CellArrays& SpaceResult::arrays() const {
     const space::PolyhedralMesh& mesh = tile().tile.mesh;
-    return arrays_.get([&] { return cell_arrays(mesh, wrapped_sites(computed_)); });
+    return arrays_.get(
+        [&] { return cell_arrays(mesh, computed().cells.delaunay.sites.positions()); });
 }
 
 pcvt_cells SpaceResult::cells() const {
@@ -109,47 +101,19 @@ pcvt_cells SpaceResult::cells() const {
 }
 
 pcvt_statistics SpaceResult::statistics() const {
-    const std::vector<int>& valences =
-        valences_.get([&] { return counts_by_faces(tile().face_counts); });
-    const RunStatistics& run = computed_.cvt.run;
-    pcvt_statistics view{};
-    view.energy = run.energy;
-    view.energy_bound = energy_bound();
-    view.residual = run.residual;
-    view.rms_residual = run.rms_residual;
-    view.seconds_optimize = computed_.seconds;
-    view.valences = valences.data();
-    view.n_valences = static_cast<std::int32_t>(valences.size());
-    view.stop = stop_number(run.stop);
-    view.n_sites = job_.n_sites;
-    view.iterations = run.iterations;
-    view.evaluations = run.evaluations;
-    view.n_threads = job_.run.n_threads;
+    pcvt_statistics view =
+        ComputedJob::statistics(energy_bound(), [&] { return tile().face_counts; });
+    view.n_sites = job().n_sites;
     view.n_mirrors = -1;
     view.area_error = std::numeric_limits<double>::quiet_NaN();
-    view.n_dropped = static_cast<std::int32_t>(job_.dropped.sites.size());
-    view.dropped = dropped_pairs(job_.dropped);
     return view;
 }
 
-std::int32_t SpaceResult::minimum() const {
-    return minimum_.get([&] { return minimum_number(minimum_of(computed_)); });
-}
-
-bool SpaceResult::write(const SpaceWriteRequest& request, const JobCallback& callback) const {
-    Job job = job_;
-    if (!request.path.empty()) job.outputs.push_back(request.path);
-    job.report = request.report;
-    job.space_files = request.files;
-    job.force = request.replace;
-    plan_files(job);
-    const SpaceTileSource make_tile = [this](JobMonitor& monitor) -> const ProvedSpaceTile& {
+bool SpaceResult::write(const WriteRequest& request, const JobCallback& callback) const {
+    const auto make_tile = [this](JobMonitor& monitor) -> const ProvedSpaceTile& {
         return tile(monitor);
     };
-    const SpaceSummary summary =
-        from_geometry([&] { return write_space_job(job, computed_, make_tile, callback); });
-    if (!summary.refused.empty()) throw CoarsePrecision(summary.refused.front().reason);
-    return summary.run.stop != Stop::kCancelled;
+    return from_geometry([&] { return ComputedJob::write(request, make_tile, callback); });
 }
 
 }  // namespace pcvt::abi

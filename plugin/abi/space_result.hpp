@@ -1,10 +1,10 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "plugin/abi/computed_job.hpp"
 #include "plugin/abi/lazy.hpp"
-#include "plugin/job/space_job.hpp"
+#include "plugin/job/space_world.hpp"
 #include "plugin/pcvt.h"
 
 namespace pcvt::abi {
@@ -21,41 +21,27 @@ struct CellArrays {
     space::Points sites;
 };
 
-/// A call of pcvt_write() in three dimensions.
-struct SpaceWriteRequest {
-    /// Empty: none, like `report`.
-    std::string path = {};
-    std::string report = {};
-    SpaceFileOptions files = {};
-    bool replace = false;
-};
-
 /// A computed job in three dimensions, and views of it that are valid as long as it lives. Any
 /// number of threads may call it at once.
-class SpaceResult {
+class SpaceResult : public ComputedJob<SpaceWorld> {
    public:
-    SpaceResult(Job job, SpaceComputation computed);
+    SpaceResult(Job job, Computation<SpaceWorld> computed);
 
     double energy_bound() const;
     pcvt_cells cells() const;
     pcvt_statistics statistics() const;
-    std::int32_t minimum() const;
     /// @returns false if the callback cancelled.
     /// @throws BadGeometry if the file holds tetrahedra and some are flat, or a boundary that
-    ///         touches itself; InvalidInput, OutputError as run_space_job does.
-    bool write(const SpaceWriteRequest& request, const JobCallback& callback) const;
+    ///         touches itself; InvalidInput, OutputError as run_job does.
+    bool write(const WriteRequest& request, const JobCallback& callback) const;
 
    private:
     const ProvedSpaceTile& tile(JobMonitor& monitor) const;
     const ProvedSpaceTile& tile() const;
     const CellArrays& arrays() const;
 
-    Job job_;
-    SpaceComputation computed_;
     Lazy<ProvedSpaceTile> tile_;
     Lazy<CellArrays> arrays_;
-    Lazy<std::vector<int>> valences_;
-    Lazy<std::int32_t> minimum_;
 };
 
 }  // namespace pcvt::abi

@@ -7,8 +7,8 @@
 #include "plugin/cli/check_command.hpp"
 #include "plugin/cli/help_command.hpp"
 #include "plugin/cli/mesh_command.hpp"
+#include "plugin/cli/mesh_job.hpp"
 #include "plugin/cli/pattern_command.hpp"
-#include "plugin/cli/space_command.hpp"
 #include "plugin/cli/study_command.hpp"
 #include "plugin/cli/terminal/cancel_signal.hpp"
 #include "plugin/cli/terminal/console.hpp"
@@ -80,20 +80,10 @@ std::string command_name(const CommandLine& line) {
 }
 
 ExitCode run_chosen(const CommandLine& line) {
-    if (line.mesh->parsed() && means_space(line.mesh_options)) {
-        const Job job = make_space_job(*line.mesh, line.mesh_options);
-        end_start_guard();
-        return run_space_mesh(job, line.mesh_options);
-    }
     if (line.mesh->parsed()) {
         const Job job = make_job(*line.mesh, line.mesh_options);
         end_start_guard();
         return run_mesh(job, line.mesh_options);
-    }
-    if (line.pattern->parsed() && means_space(line.pattern_options)) {
-        const Job job = make_space_pattern_job(*line.pattern, line.pattern_options);
-        end_start_guard();
-        return run_space_mesh(job, line.pattern_options);
     }
     if (line.pattern->parsed()) {
         const Job job = make_pattern_job(*line.pattern, line.pattern_options);

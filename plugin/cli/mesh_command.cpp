@@ -13,37 +13,46 @@
 #include "plugin/job/available_memory.hpp"
 #include "plugin/job/job_memory.hpp"
 #include "plugin/job/job_start.hpp"
+#include "plugin/job/run_job.hpp"
 
 namespace pcvt::cli {
 namespace {
 
 /// The energy that the display divides energies by.
-double expected_energy(const Job& job, int n) {
-    const double bound = plane::hexagonal_bound(job.in_plane().lattice.area(), n);
-    if (!job.density) return bound;
-    return bound *
+double expected_energy(const Job& job) {
+    if (!job.density) return energy_bound(job);
+    return energy_bound(job) *
            plane::DensitySurvey(job.in_plane().lattice, *job.density, plane::kSurveyResolution)
                .mean_root_squared();
 }
 
 /// From this number of sites on, the estimate of the memory is printed when the run begins.
 constexpr int kFewestAnnounced = 1'000'000;
+constexpr int kFewestAnnouncedInSpace = 200'000;
+
+/// Says on standard error how much memory a run takes, and how much there is.
+/// @param estimate  bytes.
+void announce_memory(double estimate, const std::optional<double>& available) {
+    std::fprintf(stderr, "pcvt: takes about %s of memory%s\n", memory_text(estimate).c_str(),
+                 available ? ("; " + memory_text(*available) + " are available").c_str() : "");
+}
 
 /// The peak of the memory, beside its estimate.
 std::string memory_line(const Job& job) {
     const std::optional<double> peak = peak_memory();
     if (!peak) return {};
-    return "memory     " + memory_text(*peak) + " at the peak, " +
-           memory_text(estimated_memory(job, plan_files(job))) + " estimated\n";
+    return summary_line("memory", memory_text(*peak) + " at the peak, " +
+                                      memory_text(estimated_memory(job, plan_files(job))) +
+                                      " estimated");
 }
 
 /// Runs the job under the signals and the progress display.
 RunSummary run_watched(const Job& job, bool quiet) {
-    const int n = job.n_wanted();
     const std::optional<double> available = available_memory();
+    const int fewest_announced = job.is_in_space() ? kFewestAnnouncedInSpace : kFewestAnnounced;
     // The first progress follows the checks of the job, so that a refusal is one line.
-    bool announces = n >= kFewestAnnounced && !quiet;
-    ProgressDisplay display(expected_energy(job, n), job.run.tolerance, !quiet);
+    bool announces = job.n_wanted() >= fewest_announced && !quiet;
+    ProgressDisplay display(expected_energy(job), job.run.tolerance, !quiet);
     catch_cancel_signals();
     return run_job(job, [&](const JobProgress& progress) {
         if (std::exchange(announces, false)) {
@@ -56,7 +65,8 @@ RunSummary run_watched(const Job& job, bool quiet) {
 
 /// Runs the job, of which the file has points or fixed sites. Reports coincident sites by their
 /// lines in the file.
-RunSummary run_distinct(Job& job, const SiteFile& file, bool quiet) {
+template <class File>
+RunSummary run_distinct(Job& job, const File& file, bool quiet) {
     try {
         settle_duplicates(job);
         return run_watched(job, quiet);
@@ -67,16 +77,16 @@ RunSummary run_distinct(Job& job, const SiteFile& file, bool quiet) {
     }
 }
 
-/// Runs the job. Reports sites that are too far away or coincident by their lines in the file.
-RunSummary run_file(Job& job, const SiteFile& file, bool quiet) {
-    const plane::Lattice reduced = reduce(job.in_plane().lattice).reduced;
+/// Requires that no site is too far away.
+template <class Lattice, class File>
+void require_near_sites(const Lattice& lattice, const File& file) {
+    const Lattice reduced = reduce(lattice).reduced;
     for (std::size_t s = 0; s < file.lines.size(); ++s) {
-        const plane::Vec2 u = reduced.to_lattice(file.points.col(static_cast<Eigen::Index>(s)));
+        const auto u = reduced.to_lattice(file.points.col(static_cast<Eigen::Index>(s)));
         if (u.cwiseAbs().maxCoeff() < kFarthestPeriod) continue;
         throw BadFile(file.name + ":" + std::to_string(file.lines[s]) +
                       ": the site lies more than 2^30 periods away; wrap it into the domain");
     }
-    return run_distinct(job, file, quiet);
 }
 
 /// Requires that no site is dropped whose area the period holds.
@@ -92,6 +102,26 @@ void require_all_sites(Job& job) {
                                  "of sites, and their areas"));
 }
 
+/// Reads the files that the job names, and runs it.
+/// @param domain  that of the job.
+template <class Domain>
+RunSummary run_in(Domain& domain, Job& job, const MeshOptions& options) {
+    constexpr int kDimension = decltype(domain.lattice)::kDimension;
+    if (options.input.empty()) {
+        read_area_file(job);
+        const SiteFileOf<kDimension> fixed{options.cells.fixed, domain.fixed, job.lines};
+        return domain.fixed.cols() > 0 ? run_distinct(job, fixed, options.quiet)
+                                       : run_watched(job, options.quiet);
+    }
+    const SiteFileOf<kDimension> file = read_sites<kDimension>(options.input);
+    domain.points = file.points;
+    job.lines = file.lines;
+    read_area_file(job);
+    if (options.period == "auto" && job.areas) require_all_sites(job);
+    require_near_sites(domain.lattice, file);
+    return run_distinct(job, file, options.quiet);
+}
+
 void print_summary(const Job& job, const RunSummary& summary) {
     const bool has_files = !summary.files.empty() || !job.report.empty();
     const auto text = [&] { return summary_text(job, summary) + memory_line(job); };
@@ -102,12 +132,7 @@ void print_summary(const Job& job, const RunSummary& summary) {
     }
 }
 
-}  // namespace
-
-void announce_memory(double estimate, const std::optional<double>& available) {
-    std::fprintf(stderr, "pcvt: takes about %s of memory%s\n", memory_text(estimate).c_str(),
-                 available ? ("; " + memory_text(*available) + " are available").c_str() : "");
-}
+// These report the end of a run on standard error, and return the exit code of the command.
 
 ExitCode report_cancelled() {
     std::fputs("pcvt: cancelled; nothing was written\n", stderr);
@@ -121,6 +146,9 @@ ExitCode report_not_converged(const RunStatistics& run, double tolerance) {
     return ExitCode::kNotConverged;
 }
 
+/// Reports the outputs that a run has left out, in one line.
+/// @param n_written  the number of the other files.
+/// @pre `refused` is not empty.
 ExitCode report_refused(const std::vector<RefusedFile>& refused, std::size_t n_written) {
     std::string line = refused.front().reason;
     for (std::size_t k = 1; k < refused.size(); ++k) {
@@ -131,21 +159,11 @@ ExitCode report_refused(const std::vector<RefusedFile>& refused, std::size_t n_w
     return ExitCode::kBadInput;
 }
 
+}  // namespace
+
 ExitCode run_mesh(Job job, const MeshOptions& options) {
-    RunSummary summary;
-    if (options.input.empty()) {
-        read_area_file(job);
-        const SiteFile fixed{options.cells.fixed, job.in_plane().fixed, job.lines};
-        summary = job.in_plane().fixed.cols() > 0 ? run_distinct(job, fixed, options.quiet)
-                                                  : run_watched(job, options.quiet);
-    } else {
-        const SiteFile file = read_sites<2>(options.input);
-        job.in_plane().points = file.points;
-        job.lines = file.lines;
-        read_area_file(job);
-        if (options.period == "auto" && job.areas) require_all_sites(job);
-        summary = run_file(job, file, options.quiet);
-    }
+    const RunSummary summary =
+        std::visit([&](auto& domain) { return run_in(domain, job, options); }, job.domain);
     if (summary.run.stop == Stop::kCancelled) return report_cancelled();
     if (!options.quiet) print_summary(job, summary);
     if (!summary.refused.empty()) {

@@ -14,25 +14,13 @@
 #include "plugin/cli/options/mesh_examples.hpp"
 #include "plugin/cli/options/option_values.hpp"
 #include "plugin/cli/options/site_source.hpp"
+#include "plugin/job/features.hpp"
 #include "plugin/job/job_checks.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_start.hpp"
 
 namespace pcvt::cli {
 namespace {
-
-constexpr int kMostPerEdge = 1000;
-constexpr int kLargestBudget = 2'000'000'000;
-constexpr int kMostRetries = 1'000'000;
-
-/// The outlines as the other choices: a word and PCVT_WHOLE or PCVT_BOX of pcvt.h.
-struct OutlineRow {
-    plane::Outline outline;
-    const char* word;
-    int abi_value;
-};
-constexpr std::array kOutlines{OutlineRow{plane::Outline::kWhole, "whole", 0},
-                               OutlineRow{plane::Outline::kBox, "box", 1}};
 
 void add(CLI::App& app, const char* name, std::string& value, const std::string& form,
          const std::string& description) {
@@ -169,117 +157,6 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
     app.add_flag("--quiet", options.quiet, "no summary and no progress");
 }
 
-/// The lattice of --period or --lattice, or one that fits the symmetry, or the unit square.
-plane::Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options,
-                              const std::optional<plane::PlaneGroupName>& symmetry) {
-    require_one_lattice(app);
-    if (options.period == "auto") return automatic_period(options.cells);
-    if (app.count("--period") > 0) return rectangle_lattice("--period", options.period);
-    if (app.count("--lattice") > 0) return vector_lattice("--lattice", options.lattice);
-    if (symmetry) return example_lattice(*symmetry);
-    return plane::Lattice::rectangle(1, 1);
-}
-
-void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job) {
-    require_one_site_source(app, options.input);
-    if (app.count("--sites") > 0)
-        job.n_sites = whole_number("--sites", options.sites, 1, plane::kMostSites);
-    const bool draws_areas = job.areas && job.areas->is_drawn();
-    if (!draws_areas) refuse_beside_input(app, {"--seed"});
-    refuse_beside_input(app, {"--retry", "--start", "--symmetry"});
-    if (app.count("--seed") > 0) job.seed = seed_number("--seed", options.seed);
-    if (app.count("--retry") > 0) {
-        job.retries = whole_number("--retry", options.retry, 0, kMostRetries);
-    }
-    if (app.count("--input") > 0 && options.input != "-") job.inputs.push_back(options.input);
-    job.duplicates = chosen_duplicates(app, options.duplicates);
-}
-
-void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {
-    if (app.count("--mesh") == 0) return;
-    job.meshes.clear();
-    for (const std::string& name : options.meshes) {
-        const plane::MeshKind kind = chosen_row("--mesh", name, plane::kMeshKinds).kind;
-        if (std::find(job.meshes.begin(), job.meshes.end(), kind) != job.meshes.end()) {
-            throw InvalidInput("--mesh " + name + " is given twice; remove one");
-        }
-        job.meshes.push_back(kind);
-    }
-}
-
-void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
-    if (app.count("--start") > 0) {
-        job.start = chosen_row("--start", options.start, start_rows()).start;
-    }
-    if (app.count("--solver") > 0) {
-        job.run.solver = chosen_row("--solver", options.solver, kSolvers).solver;
-    }
-    if (app.count("--outline") > 0) {
-        job.tile.outline = chosen_row("--outline", options.outline, kOutlines).outline;
-    }
-}
-
-void read_grains(const CLI::App& app, const MeshOptions& options, Job& job) {
-    const auto require_mesh = [&](const char* name, bool plane::MeshKindRow::*property) {
-        if (app.count(name) == 0 || has_mesh(job, property)) return;
-        throw InvalidInput(std::string(name) + " is for grains; add --mesh grains or leave it out");
-    };
-    require_mesh("--size", &plane::MeshKindRow::grain_size);
-    require_mesh("--per-edge", &plane::MeshKindRow::grain_size);
-    require_mesh("--order", &plane::MeshKindRow::order_2);
-    if (app.count("--size") > 0) job.tile.grain_size = positive_number("--size", options.size);
-    if (app.count("--per-edge") > 0) {
-        job.tile.grain_per_edge = whole_number("--per-edge", options.per_edge, 1, kMostPerEdge);
-        if (job.tile.grain_size > 0) {
-            throw InvalidInput("--per-edge replaces --size; leave one of them out");
-        }
-    }
-    if (app.count("--order") > 0) job.tile.order = whole_number("--order", options.order, 1, 2);
-}
-
-void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
-    if (app.count("--tolerance") > 0) {
-        job.run.tolerance = positive_number("--tolerance", options.tolerance);
-    }
-    if (app.count("--max-iterations") > 0) {
-        job.run.max_iterations =
-            whole_number("--max-iterations", options.max_iterations, 0, kMostIterations);
-    }
-    if (app.count("--budget") > 0) {
-        if (job.start != Start::kBest) {
-            throw InvalidInput("--budget is for --start best; leave it out");
-        }
-        job.budget = whole_number("--budget", options.budget, 1, kLargestBudget);
-    }
-    job.run.n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    if (app.count("--threads") > 0) {
-        job.run.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
-    }
-    if (app.count("--origin") > 0) {
-        job.tile.finds_origin = options.origin == "auto";
-        if (!job.tile.finds_origin) job.tile.origin = point("--origin", options.origin);
-        if (job.tile.finds_origin && job.tile.outline != plane::Outline::kBox) {
-            throw InvalidInput("--origin auto is for --outline box; add it, or give X,Y");
-        }
-    }
-    if (app.count("--short-edges") > 0) {
-        job.tile.short_edges = positive_number("--short-edges", options.short_edges);
-        if (job.tile.short_edges > kLongestShortEdge) {
-            throw InvalidInput("--short-edges " + options.short_edges +
-                               ": such edges are not short; take at most 0.5");
-        }
-        if (!has_mesh(job, &plane::MeshKindRow::short_edges)) {
-            throw InvalidInput(
-                "--short-edges is for cells and grains; take --mesh voronoi or leave it out");
-        }
-    }
-    if (app.count("--repeat") > 0) {
-        const Repetition times = repetition("--repeat", options.repeat);
-        job.tile.columns = times.columns;
-        job.tile.rows = times.rows;
-    }
-}
-
 }  // namespace
 
 void add_mesh_options(CLI::App& app, MeshOptions& options) {
@@ -288,40 +165,6 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_material_options(app, options.materials);
     add_output_options(app, options);
     app.footer(kMeshExamples);
-}
-
-std::string report_file(const std::string& path) {
-    if (path.empty() || path.ends_with(".json")) return path;
-    throw InvalidInput("--report " + path + ": not a .json file; name it FILE.json");
-}
-
-Job make_job(const CLI::App& app, const MeshOptions& options) {
-    Job job;
-    if (app.count("--symmetry") > 0) {
-        job.symmetry = chosen_row("--symmetry", options.symmetry, plane::kPlaneGroups).name;
-    }
-    job.in_plane().lattice = chosen_lattice(app, options, job.symmetry);
-    read_cell_options(app, options.cells, job);
-    read_site_source(app, options, job);
-    read_choices(app, options, job);
-    read_meshes(app, options, job);
-    read_grains(app, options, job);
-    read_numbers(app, options, job);
-    job.materials = material_choices(app, options.materials, job.inputs);
-    job.file_options = file_options(app, options.files);
-    job.file_options.elastic = elastic_choices(options.materials);
-    job.command = command_words(app);
-    job.outputs = options.outputs;
-    if (app.count("--cells") > 0) {
-        if (lower_case_extension(options.table) != ".csv") {
-            throw InvalidInput("--cells " + options.table + ": not a .csv file; name it FILE.csv");
-        }
-        job.outputs.push_back(options.table);
-    }
-    job.report = report_file(options.report);
-    job.stability = options.stability;
-    job.force = options.force;
-    return job;
 }
 
 }  // namespace pcvt::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,15 @@ class App;
 }
 
 namespace pcvt::cli {
+
+/// The outlines as the other choices: a word and PCVT_WHOLE or PCVT_BOX of pcvt.h.
+struct OutlineRow {
+    plane::Outline outline;
+    const char* word;
+    int abi_value;
+};
+inline constexpr std::array kOutlines{OutlineRow{plane::Outline::kWhole, "whole", 0},
+                                      OutlineRow{plane::Outline::kBox, "box", 1}};
 
 /// The options of `pcvt mesh` as the user typed them; empty if not given.
 struct MeshOptions {
@@ -54,17 +64,7 @@ struct MeshOptions {
 ///
 ///   add_mesh_options(app, options);
 ///   app.parse(argc, argv);
-///   const Job job = make_job(app, options);
+///   const Job job = make_job(app, options);  // mesh_job.hpp
 void add_mesh_options(CLI::App& app, MeshOptions& options);
-
-/// The value of --report, which may be empty.
-/// @throws InvalidInput unless it ends in .json.
-std::string report_file(const std::string& path);
-
-/// The job that the options describe, without the sites of `options.input` and the areas of a file,
-/// which it does not read.
-/// @param app  that of add_mesh_options, after parsing.
-/// @throws InvalidInput, LimitExceeded naming the option.
-Job make_job(const CLI::App& app, const MeshOptions& options);
 
 }  // namespace pcvt::cli

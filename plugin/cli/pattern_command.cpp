@@ -4,6 +4,8 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "plugin/cli/mesh_job.hpp"
+
 namespace pcvt::cli {
 namespace {
 
@@ -58,14 +60,6 @@ void add_pattern_options(CLI::App& app, MeshOptions& options) {
 Job make_pattern_job(const CLI::App& app, const MeshOptions& options) {
     require_pattern_options(app);
     Job job = make_job(app, options);
-    job.start = Start::kLattice;
-    job.run.max_iterations = 0;
-    return job;
-}
-
-Job make_space_pattern_job(const CLI::App& app, const MeshOptions& options) {
-    require_pattern_options(app);
-    Job job = make_space_job(app, options);
     job.start = Start::kLattice;
     job.run.max_iterations = 0;
     return job;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "plugin/cli/mesh_options.hpp"
-#include "plugin/cli/space_command.hpp"
 
 namespace pcvt::cli {
 
@@ -13,8 +12,5 @@ void add_pattern_options(CLI::App& app, MeshOptions& options);
 /// @param app  that of add_pattern_options, after parsing.
 /// @throws InvalidInput, LimitExceeded naming the option.
 Job make_pattern_job(const CLI::App& app, const MeshOptions& options);
-
-/// The same for run_space_mesh, where means_space(options).
-Job make_space_pattern_job(const CLI::App& app, const MeshOptions& options);
 
 }  // namespace pcvt::cli

@@ -3,54 +3,20 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "mesher/plane/geometry/domain.hpp"
+#include "plugin/cli/site_summary.hpp"
 #include "plugin/cli/terminal/console.hpp"
+#include "plugin/job/run_job.hpp"
 
 namespace pcvt::cli {
 namespace {
 
-/// Sites that are farther from the domain than this lie outside, in units of the period vectors.
-constexpr double kDomainMargin = 1e-9;
-
-/// So many sites in such a part of each period are hardly all that a user has of the domain.
-constexpr int kFewestFractions = 4;
-constexpr double kSmallPart = 0.25;
-
-std::string vector_text(const plane::Vec2& v) {
-    // Adding 0 turns -0 into 0.
-    return "(" + figure(v.x() + 0.0) + ", " + figure(v.y() + 0.0) + ")";
-}
-
 std::string valence_text(const RunSummary& summary) {
-    std::string text = std::to_string(summary.n_hexagons) + " of " +
+    std::string text = std::to_string(summary.n_with_sides(6)) + " of " +
                        std::to_string(summary.n_sites) + " cells; sides";
     for (const auto& [sides, count] : summary.valences) {
         text += " " + std::to_string(sides) + ":" + std::to_string(count);
     }
     return text;
-}
-
-/// The number of sites outside of the domain.
-Eigen::Index n_outside(const Eigen::ArrayXXd& periods) {
-    return (periods < -kDomainMargin || periods > 1 + kDomainMargin).colwise().any().count();
-}
-
-Eigen::ArrayXXd lattice_coordinates(const plane::Points& points, const plane::Lattice& lattice,
-                                    const plane::Vec2& corner) {
-    Eigen::ArrayXXd coordinates(2, points.cols());
-    for (Eigen::Index s = 0; s < points.cols(); ++s) {
-        coordinates.col(s) = lattice.to_lattice(points.col(s) - corner);
-    }
-    return coordinates;
-}
-
-std::string site_text(const Job& job, const RunSummary& summary) {
-    const plane::Domain domain(job.in_plane().lattice, job.tile.origin);
-    return std::to_string(summary.n_sites) +
-           domain_note(
-               job.in_plane().points.array(),
-               lattice_coordinates(job.in_plane().points, job.in_plane().lattice, job.tile.origin),
-               lattice_coordinates(job.in_plane().points, domain.basis(), domain.corner()));
 }
 
 std::string grain_text(const plane::GrainFigures& grains) {
@@ -90,28 +56,68 @@ std::string tile_lines(const RunSummary& summary) {
     return text;
 }
 
+/// The line that says whether the result is a minimum.
+std::string minimum_line(const std::optional<Minimum>& minimum) {
+    return summary_line("minimum", minimum ? minimum_name(*minimum) : "not known: not converged");
+}
+
+/// The line of a lattice that says whether it is a minimum.
+std::string stability_line(const LatticeStability& stability) {
+    const std::string verdict = stability.minimum == Minimum::kYes  ? "the pattern is a minimum"
+                                : stability.minimum == Minimum::kNo ? "the pattern is a saddle"
+                                                                    : "too near to call";
+    const std::string reason =
+        stability.smallest
+            ? "smallest eigenvalue " + figure(*stability.smallest) + " of the largest"
+            : "one site has only the translations";
+    return summary_line("stability", verdict + "; " + reason);
+}
+
+/// An energy, and its ratio to that of as many of the best known cells.
+std::string energy_over_bound(const Job& job, double energy, double bound) {
+    return figure(energy) + ", " + figure(energy / bound) +
+           (job.is_in_space() ? " of truncated octahedra" : " of the hexagonal bound");
+}
+
 /// The best exact lattice, its energy and its stability.
-std::string pattern_lines(const PatternOutcome<plane::LatticePattern>& pattern) {
-    const plane::LatticePattern& lattice = pattern.lattice;
-    return summary_line("pattern", vector_text(lattice.basis.a()) + " " +
-                                       vector_text(lattice.basis.b()) + ", energy " +
-                                       figure(lattice.energy) + ", " +
-                                       figure(lattice.energy / lattice.energy_bound) +
-                                       " of the hexagonal bound") +
+std::string pattern_lines(const Job& job, const PatternFigures& pattern) {
+    return summary_line("pattern", vectors_text(pattern.basis.colwise()) + ", energy " +
+                                       energy_over_bound(job, pattern.energy, energy_bound(job))) +
            stability_line(pattern.stability);
 }
 
-std::string energy_text(const RunSummary& summary) {
-    std::string text = figure(summary.run.energy);
-    if (summary.energy_bound) {
-        text +=
-            ", " + figure(summary.run.energy / *summary.energy_bound) + " of the hexagonal bound";
-    }
+std::string energy_text(const Job& job, const RunSummary& summary) {
+    const double energy = summary.run.energy;
+    std::string text = summary.energy_bound ? energy_over_bound(job, energy, *summary.energy_bound)
+                                            : figure(energy);
     if (summary.density) {
-        text += ", " + figure(summary.run.energy / summary.density->expected_energy) +
+        text += ", " + figure(energy / summary.density->expected_energy) +
                 " of the limit for many cells of this density";
     }
     return text;
+}
+
+/// The lines of the cells of a tile in space.
+std::string polyhedra_lines(const Job& job, const RunSummary& summary) {
+    const auto& [n_removed_edges, proof] = *summary.polyhedra;
+    double sum = 0;
+    std::string counts;
+    for (const auto& [faces, count] : summary.valences) {
+        sum += double(faces) * count;
+        counts += " " + std::to_string(faces) + ":" + std::to_string(count);
+    }
+    std::string text =
+        summary_line("faces", figure(sum / summary.n_sites) + " a cell; cells with" + counts);
+    if (job.tile.short_edges > 0) {
+        text += summary_line("edges", std::to_string(n_removed_edges) + " under " +
+                                          figure(job.tile.short_edges) + " h removed");
+    }
+    return text +
+           summary_line("seam",
+                        std::to_string(2 * proof.n_boundary_pairs) + " boundary faces in " +
+                            std::to_string(proof.n_boundary_pairs) + " pairs by " +
+                            counted(proof.n_translations, "translation") +
+                            (proof.boundary_is_manifold ? "" : "; the boundary touches itself"));
 }
 
 std::string density_lines(const plane::DensityFigures& density) {
@@ -230,58 +236,8 @@ std::string summary_line(const char* label, const std::string& text) {
     return head + text + "\n";
 }
 
-std::string duplicates_line(const DroppedSites& dropped, Eigen::Index n_kept) {
-    const auto n = static_cast<int>(dropped.sites.size());
-    const std::string lines =
-        coincidence_list(dropped.lines, [](int line) { return "line " + std::to_string(line); });
-    const char* doubt = n > n_kept ? "; --period or --lattice may be wrong" : "";
-    return summary_line(
-        "duplicates", counted(n, "site") + " dropped" +
-                          (n == 0 ? "" : ", which coincide modulo the lattice: " + lines + doubt));
-}
-
-std::string domain_note(const Eigen::ArrayXXd& points, const Eigen::ArrayXXd& given,
-                        const Eigen::ArrayXXd& reduced) {
-    const auto n = points.cols();
-    if (n == 0) return {};
-    const Eigen::ArrayXXd& periods = n_outside(reduced) < n_outside(given) ? reduced : given;
-    if (const Eigen::Index outside = n_outside(periods); outside > 0) {
-        const std::string text = "; " + std::to_string(outside) +
-                                 " of the file lie outside of the domain and count modulo the "
-                                 "lattice";
-        return 2 * outside > n ? text + ": --period or --lattice may be wrong" : text;
-    }
-    const Eigen::ArrayXd extent = periods.rowwise().maxCoeff() - periods.rowwise().minCoeff();
-    const bool in_unit = points.minCoeff() >= 0 && points.maxCoeff() <= 1;
-    if (n < kFewestFractions || !in_unit || extent.maxCoeff() > kSmallPart) return {};
-    return "; all coordinates are from 0 to 1, a small part of the domain: they may be fractions "
-           "of "
-           "the periods";
-}
-
-std::string minimum_line(const std::optional<Minimum>& minimum) {
-    return summary_line("minimum", minimum ? minimum_name(*minimum) : "not known: not converged");
-}
-
-std::string stability_line(const LatticeStability& stability) {
-    const std::string verdict = stability.minimum == Minimum::kYes  ? "the pattern is a minimum"
-                                : stability.minimum == Minimum::kNo ? "the pattern is a saddle"
-                                                                    : "too near to call";
-    const std::string reason =
-        stability.smallest
-            ? "smallest eigenvalue " + figure(*stability.smallest) + " of the largest"
-            : "one site has only the translations";
-    return summary_line("stability", verdict + "; " + reason);
-}
-
 std::string summary_text(const Job& job, const RunSummary& summary) {
-    std::string text;
-    text += summary_line("sites", site_text(job, summary));
-    if (job.duplicates == Duplicates::kDrop)
-        text += duplicates_line(
-            job.dropped, std::max(job.in_plane().points.cols(), job.in_plane().fixed.cols()));
-    text += summary_line("lattice", vector_text(job.in_plane().lattice.a()) + " " +
-                                        vector_text(job.in_plane().lattice.b()));
+    std::string text = site_lines(job, summary.n_sites);
     if (summary.seed != job.seed) text += summary_line("seed", seed_text(job, summary));
     text += summary_line("stop", std::string(stop_name(summary.run.stop)) + " after " +
                                      counted(summary.run.iterations, "iteration") + ", " +
@@ -291,12 +247,13 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
                                            counted(summary.run.cg_products, "product") +
                                            " with vectors");
     }
-    text += summary_line("energy", energy_text(summary));
+    text += summary_line("energy", energy_text(job, summary));
     text += summary_line("residual", figure(summary.run.residual));
     if (job.stability) text += minimum_line(summary.minimum);
-    text += summary_line("hexagons", valence_text(summary));
+    text += summary.polyhedra ? polyhedra_lines(job, summary)
+                              : summary_line("hexagons", valence_text(summary));
     if (!summary.start.found.empty()) text += summary_line("found", summary.start.found);
-    if (summary.start.pattern) text += pattern_lines(*summary.start.pattern);
+    if (summary.start.pattern) text += pattern_lines(job, *summary.start.pattern);
     if (summary.density) text += density_lines(*summary.density);
     if (summary.areas) text += area_lines(job, *summary.areas);
     text += constraint_lines(job, summary);

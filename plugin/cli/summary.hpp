@@ -1,33 +1,32 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 
+#include "plugin/cli/terminal/console.hpp"
 #include "plugin/job/job.hpp"
+#include "plugin/job/run_summary.hpp"
 
 namespace pcvt::cli {
 
 /// One line of such a text: the label and a value.
 std::string summary_line(const char* label, const std::string& text);
 
-/// The line that says which sites of a file were left out because they coincide with earlier ones.
-/// @param n_kept  the number of the others, which asks for doubt where it is the smaller one.
-std::string duplicates_line(const DroppedSites& dropped, Eigen::Index n_kept);
+/// "(1, 0.5)"
+template <class Vector>
+std::string vector_text(const Vector& v) {
+    std::string text;
+    // Adding 0 turns -0 into 0.
+    for (const double x : v) text += (text.empty() ? "(" : ", ") + figure(x + 0.0);
+    return text + ")";
+}
 
-/// What the positions of given sites say about the domain: how many lie outside of it, or that all
-/// are fractional coordinates by their looks; empty where nothing is noteworthy.
-/// @param points   d x n, length units; no column: no site was given.
-/// @param given    the same in lattice coordinates, from the corner of the domain.
-/// @param reduced  the same for the reduced vectors, in whose box pcvt writes sites. The domain is
-///                 the box that holds more of them.
-std::string domain_note(const Eigen::ArrayXXd& points, const Eigen::ArrayXXd& given,
-                        const Eigen::ArrayXXd& reduced);
-
-/// The line that says whether the result is a minimum.
-std::string minimum_line(const std::optional<Minimum>& minimum);
-
-/// The line of a lattice that says whether it is a minimum.
-std::string stability_line(const LatticeStability& stability);
+/// "(1, 0) (0, 1)"
+template <class Vectors>
+std::string vectors_text(const Vectors& vectors) {
+    std::string text;
+    for (const auto& v : vectors) text += (text.empty() ? "" : " ") + vector_text(v);
+    return text;
+}
 
 /// The text that `pcvt mesh` prints on standard output at the end: one "label value" a line.
 std::string summary_text(const Job& job, const RunSummary& summary);

@@ -1,16 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "io/bytes/output_error.hpp"
-#include "io/formats/space_format.hpp"
 #include "io/run_files/inclusion_reader.hpp"
 #include "io/tiles/file_options.hpp"
 #include "mesher/base/error.hpp"
@@ -152,8 +147,8 @@ struct Job {
 
     bool has_inclusions() const { return inclusions || fibres; }
 
-    /// At least one, each at most once. If there are several, the word of the kind precedes the
-    /// extension: tile-voronoi.obj. Not every kind has a box outline (mesh_kind.hpp).
+    /// At least one, each at most once; in space one. If there are several, the word of the kind
+    /// precedes the extension: tile-voronoi.obj. Not every kind has a box outline (mesh_kind.hpp).
     std::vector<plane::MeshKind> meshes = {plane::MeshKind::kVoronoi};
     /// How each of them becomes a tile. The tessellation supplies its elongation, walls, tags and
     /// holes.
@@ -168,8 +163,6 @@ struct Job {
     std::string command;
     /// The forms of files, for the formats that have several; without densities and materials.
     FileOptions file_options;
-    /// The same in space.
-    SpaceFileOptions space_files;
     /// Files to write. The extension selects the format; `.txt` files hold the sites.
     std::vector<std::string> outputs;
     /// Empty: no report.
@@ -179,116 +172,8 @@ struct Job {
     bool force = false;
 };
 
-/// Seconds of each stage.
-struct JobSeconds {
-    double build = 0;
-    double optimize = 0;
-    double write = 0;
-    double total = 0;
-};
-
-/// The best exact lattice for the number of sites.
-template <class Pattern>
-struct PatternOutcome {
-    Pattern lattice;
-    LatticeStability stability;
-};
-
-/// What is known of a start, besides the sites.
-struct StartFigures {
-    /// Of the starts that look for it.
-    std::optional<PatternOutcome<plane::LatticePattern>> pattern;
-    /// How the global search found its best state, in words; else empty.
-    std::string found;
-};
-
-/// The tessellation of a job, from which its tiles and files are made.
-struct Computation {
-    /// Its evaluations include those of a global search, but not those of the coarser problems of a
-    /// coarse start.
-    Tessellation cells;
-    StartFigures start;
-    /// rho at each site outside of holes; empty without a density.
-    std::vector<double> site_densities;
-    /// Of the sites outside of holes; empty without materials.
-    CellMaterials materials = {};
-    std::vector<PhaseFigures> phases = {};
-    /// Of the computation alone.
-    JobSeconds seconds = {};
-};
-
-/// The summary of a run, besides its files.
-struct RunSummary {
-    /// As in Computation::cells. kCancelled: no file was written, and no other member is set.
-    RunStatistics run = {.stop = Stop::kCancelled};
-    int n_sites = 0;
-    /// The seed that was used, which follows Job::seed where outputs refused the seeds before it.
-    std::uint64_t seed = 0;
-    /// length^4; `nullopt` with a density.
-    std::optional<double> energy_bound;
-    /// As minimum_of() returns it, of jobs that ask for the stability.
-    std::optional<Minimum> minimum;
-    /// `nullopt` if the triangulation was built without mirrors.
-    std::optional<int> n_mirrors;
-    /// Cells by their number of sides, on the unrepeated torus; edges under 1e-5 h do not count.
-    std::map<int, int> valences;
-    int n_hexagons = 0;
-    /// Of jobs with a density.
-    std::optional<plane::DensityFigures> density;
-    /// Of jobs with areas.
-    std::optional<AreaSummary> areas;
-    /// Of jobs with a symmetry: the number of orbits of sites. Else 0.
-    int n_orbits = 0;
-    /// Of jobs with walls: the sites that lie on them.
-    int n_on_walls = 0;
-    /// Of jobs with inclusions.
-    std::optional<InterfaceFigures> interfaces;
-    /// Of jobs with phases, one entry each.
-    std::vector<PhaseFigures> phases;
-    /// Of jobs with orientations.
-    std::optional<AngleRange> angles;
-    /// The materials whose elastic constants the files state.
-    std::vector<NamedConstants> constants;
-    /// One entry for each mesh of the job.
-    std::vector<plane::TileFigures> tiles;
-    /// The files and folders that were written, in the order of the outputs, without the report.
-    std::vector<std::string> files;
-    /// The outputs that were not written, in their order.
-    std::vector<RefusedFile> refused;
-    /// One line for each set of an earlier run that was finished before this one.
-    std::vector<std::string> recovered;
-    StartFigures start;
-    JobSeconds seconds;
-};
-
-/// Sites -> optimised periodic tessellation -> proved tiles -> files that are read back and proved
-/// again. Prints nothing. Either all files appear, together at the end, or none; only files whose
-/// single precision does not hold the tile are left out (RunSummary::refused).
-///
-/// @throws InvalidInput   the job is wrong. Thrown before any computation, except for coincident
-///                        sites (DuplicateSites names the ids).
-/// @throws UnsuitableCells  an output refuses the cells, also after all retries.
-/// @throws OutputError    a file cannot be written, or exists and `force` is not set.
-/// @throws LimitExceeded  too many sites or faces.
-/// @throws InternalError  a tile breaks its laws: a fault of pcvt.
-RunSummary run_job(const Job& job, const JobCallback& callback);
-
 /// Checks everything in a job except its outputs.
 /// @throws InvalidInput, LimitExceeded as run_job does before any computation.
 void check_job(const Job& job);
-
-// The steps of run_job one by one, for a host that keeps the result in memory; errors as there.
-
-/// Computes the tessellation; `nullopt` after a cancelled run.
-std::optional<Computation> compute_job(const Job& job, const JobCallback& callback);
-/// Makes the tiles of a job, proved, one for each of job.meshes; they must outlive the call. May be
-/// empty if no output is a tile.
-using TileSource = std::function<std::span<const plane::BuiltTile>(JobMonitor&)>;
-/// Writes job.outputs and job.report. The summary of a cancelled call has Stop::kCancelled.
-RunSummary write_job(const Job& job, const Computation& result, const TileSource& tiles,
-                     const JobCallback& callback);
-
-/// The stop as contract words: "converged", "iteration-limit", "stalled", "cancelled".
-const char* stop_name(Stop stop);
 
 }  // namespace pcvt

@@ -7,6 +7,8 @@
 #include "io/tiles/tile_file.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/plane/symmetry/special_positions.hpp"
+#include "mesher/space/cvt/minimum.hpp"
+#include "mesher/space/mesh/short_edges.hpp"
 #include "plugin/job/contradictions.hpp"
 #include "plugin/job/job_constraints.hpp"
 #include "plugin/job/job_start.hpp"
@@ -80,11 +82,20 @@ void check_meshes(const Job& job) {
     if (has_mesh(job, &plane::MeshKindRow::grain_size)) check_grains(job);
 }
 
-void check_stability(const Job& job, double n_sites) {
-    if (!job.stability || n_sites <= plane::kMostSitesForStability) return;
-    throw InvalidInput("the stability is known of at most " +
-                       std::to_string(plane::kMostSitesForStability) +
-                       " sites; leave it out, or take fewer sites");
+void check_stability(const Job& job) {
+    const int most =
+        job.is_in_space() ? space::kMostSitesForMinimum : plane::kMostSitesForStability;
+    if (!job.stability || job.n_wanted() <= most) return;
+    throw InvalidInput("the stability is known of at most " + std::to_string(most) + " sites" +
+                       (job.is_in_space() ? " in space" : "") +
+                       "; leave it out, or take fewer sites");
+}
+
+void check_short_edges(const Job& job) {
+    if (job.tile.short_edges >= 0 && job.tile.short_edges <= longest_short_edge(job)) return;
+    throw InvalidInput(
+        std::string("the length under which edges are removed is not between 0 and ") +
+        (job.is_in_space() ? "0.1" : "0.5") + " h");
 }
 
 void check_aspect(const Job& job) {
@@ -116,6 +127,10 @@ bool has_mesh(const Job& job, bool plane::MeshKindRow::*property) {
                        [property](plane::MeshKind kind) { return mesh_kind_row(kind).*property; });
 }
 
+double longest_short_edge(const Job& job) {
+    return job.is_in_space() ? space::kLongestShortEdge : kLongestShortEdge;
+}
+
 void check_retries(const Job& job, const std::vector<JobFile>& files) {
     if (job.retries == 0) return;
     const bool refusable = std::any_of(
@@ -128,17 +143,20 @@ void check_retries(const Job& job, const std::vector<JobFile>& files) {
 
 void check_job(const Job& job) {
     require_compatible(job);
+    if (job.n_wanted() < 1) throw InvalidInput("no sites; give at least one");
+    if (job.is_in_space()) {
+        check_stability(job);
+        check_short_edges(job);
+        return;
+    }
     check_aspect(job);
     const double n = job.n_wanted();
-    if (n < 1) throw InvalidInput("no sites; give at least one");
     check_symmetry(job);
     check_constraints(job);
     if (job.run.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
-    if (!(job.tile.short_edges >= 0 && job.tile.short_edges <= kLongestShortEdge)) {
-        throw InvalidInput("the length under which edges are removed is not between 0 and 0.5 h");
-    }
+    check_short_edges(job);
     check_repetition(job);
-    check_stability(job, n);
+    check_stability(job);
     require_orientations(job.materials, static_cast<int>(n));
     check_meshes(job);
     if (n * job.tile.columns * job.tile.rows > plane::kMostSites) {

@@ -155,10 +155,16 @@ double estimated_memory(const Job& job, const std::vector<JobFile>& files) {
 }
 
 void require_memory(const Job& job, const std::vector<JobFile>& files) {
-    require_available("the run takes", estimated_memory(job, files), kFewerOutputs);
+    require_available(job.is_in_space() ? space_run_takes(job) : "the run takes",
+                      estimated_memory(job, files),
+                      files.empty() ? "take fewer sites" : kFewerOutputs);
 }
 
 void require_memory_to_write(const Job& job, const std::vector<JobFile>& files) {
+    if (job.is_in_space()) {
+        require_available("the files take", space_memory_to_write(job, files), kFewerOutputs);
+        return;
+    }
     // The result holds the triangulation, and perhaps its tile.
     const double held = kTriangulating * n_sites(job) + mesh_bytes(job, job.meshes.front(), kHeld);
     require_available("the files take", tile_bytes(job, files) - held, kFewerOutputs);

@@ -4,7 +4,6 @@
 
 #include "io/bytes/json_writer.hpp"
 #include "plugin/job/job_start.hpp"
-#include "plugin/job/report_parts.hpp"
 #include "plugin/job/version.hpp"
 
 namespace pcvt {
@@ -22,17 +21,55 @@ std::optional<double> best_of_tiles(const RunSummary& summary,
     return best;
 }
 
-void append_lattice(JsonWriter& json, const char* key, const plane::Lattice& lattice) {
-    json.member(key, std::array{lattice.a(), lattice.b()});
+/// The numbers of cells by their number of sides or faces.
+void append_counts(JsonWriter& json, const char* key, const std::map<int, int>& counts) {
+    json.object(key, [&] {
+        for (const auto& [sides, n_cells] : counts) json.member(std::to_string(sides), n_cells);
+    });
 }
 
 void append_pattern(JsonWriter& json, const RunSummary& summary) {
     if (!summary.start.pattern) return;
-    const plane::LatticePattern& lattice = summary.start.pattern->lattice;
+    const PatternFigures& pattern = *summary.start.pattern;
     json.object("pattern", [&] {
-        append_lattice(json, "basis", lattice.basis);
-        json.member("hermite", std::array{lattice.form.a, lattice.form.b, lattice.form.d});
-        append_verdict(json, lattice.energy, summary.start.pattern->stability);
+        json.key("basis");
+        json.begin_list();
+        for (const auto& vector : pattern.basis.colwise()) json.value(vector);
+        json.end();
+        json.member("hermite", pattern.hermite);
+        json.member("energy", pattern.energy);
+        json.member("minimum", minimum_name(pattern.stability.minimum));
+        // Null for one site.
+        json.member("smallest_eigenvalue", pattern.stability.smallest);
+    });
+}
+
+/// The keys of the cells: in the plane by their sides, in space by their faces.
+void append_cells(JsonWriter& json, const RunSummary& summary) {
+    if (!summary.polyhedra) json.member("hexagons", summary.n_with_sides(6));
+    append_counts(json, "valences", summary.valences);
+    if (!summary.polyhedra) return;
+    const auto& [n_removed_edges, proof] = *summary.polyhedra;
+    append_counts(json, "faces", summary.valences);
+    json.member("removed_edges", n_removed_edges);
+    json.member("volume", proof.volume);
+    json.member("boundary_pairs", proof.n_boundary_pairs);
+    json.member("translations", proof.n_translations);
+    json.member("boundary_is_manifold", proof.boundary_is_manifold);
+}
+
+/// The key `duplicates` of runs that leave out sites which coincide with earlier ones.
+void append_duplicates(JsonWriter& json, const Job& job) {
+    if (job.duplicates != Duplicates::kDrop) return;
+    const auto append_pairs = [&](const char* key, const std::vector<CoincidentSite>& pairs) {
+        json.list(key, pairs, [&](const CoincidentSite& pair) {
+            json.value(std::array{pair.site, pair.earlier});
+        });
+    };
+    json.object("duplicates", [&] {
+        json.member("dropped", job.dropped.sites.size());
+        append_pairs("sites", job.dropped.sites);
+        if (!job.dropped.lines.empty()) append_pairs("lines", job.dropped.lines);
     });
 }
 
@@ -143,8 +180,10 @@ void append_materials(JsonWriter& json, const RunSummary& summary) {
 /// Appends the keys of every run.
 void append_run(JsonWriter& json, const Job& job, const RunSummary& summary) {
     json.member("version", version());
+    json.member("dimension", job.is_in_space() ? 3 : 2);
     json.member("sites", summary.n_sites);
-    append_lattice(json, "lattice", job.in_plane().lattice);
+    std::visit([&](const auto& domain) { json.member("lattice", domain.lattice.periods()); },
+               job.domain);
     json.member("seed", summary.seed);
     json.member("solver", solver_row(job.run.solver).word);
     json.member("start", start_name(job));
@@ -156,9 +195,11 @@ void append_run(JsonWriter& json, const Job& job, const RunSummary& summary) {
     json.member("energy", summary.run.energy);
     json.member("energy_bound", summary.energy_bound);
     json.member("residual", summary.run.residual);
-    append_minimum(json, summary.minimum);
-    json.member("hexagons", summary.n_hexagons);
-    append_counts(json, "valences", summary.valences);
+    json.member("rms_residual", summary.run.rms_residual);
+    // Yes, no or unknown; null if the run did not determine it.
+    json.member("minimum",
+                summary.minimum ? std::optional(minimum_name(*summary.minimum)) : std::nullopt);
+    append_cells(json, summary);
     json.member("mirrors", summary.n_mirrors);
     json.member("threads", job.run.n_threads);
     json.object("seconds", [&] {
@@ -203,7 +244,7 @@ void append_choices(JsonWriter& json, const Job& job, const RunSummary& summary)
         });
     }
     append_phases(json, summary);
-    append_duplicates(json, job.duplicates, job.dropped);
+    append_duplicates(json, job);
     append_orientations(json, summary);
     append_materials(json, summary);
 }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "plugin/job/job.hpp"
+#include "plugin/job/run_summary.hpp"
 
 namespace pcvt {
 

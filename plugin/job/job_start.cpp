@@ -8,6 +8,7 @@
 #include "mesher/plane/cvt/symmetric_coarse_start.hpp"
 #include "mesher/plane/density/density_survey.hpp"
 #include "mesher/plane/search/global_search.hpp"
+#include "mesher/plane/search/lattice_stability.hpp"
 #include "mesher/plane/symmetry/folded_density.hpp"
 #include "mesher/space/delaunay/orbit_insertion.hpp"
 
@@ -53,12 +54,21 @@ JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
     return start;
 }
 
+PatternFigures pattern_figures(const plane::LatticePattern& pattern) {
+    Eigen::Matrix2d basis;
+    basis << pattern.basis.a(), pattern.basis.b();
+    const auto& [a, b, d] = pattern.form;
+    return {.basis = basis,
+            .hermite = {a, b, d},
+            .energy = pattern.energy,
+            .stability = lattice_stability(pattern)};
+}
+
 JobStart lattice_start(const Job& job, const ProgressCallback& /*callback*/) {
     const plane::LatticePattern pattern = best_lattice(job.in_plane().lattice, job.n_sites);
     JobStart start;
     start.points = pattern_points(pattern);
-    start.figures.pattern =
-        PatternOutcome<plane::LatticePattern>{pattern, lattice_stability(pattern)};
+    start.figures.pattern = pattern_figures(pattern);
     return start;
 }
 
@@ -69,8 +79,7 @@ JobStart best_start(const Job& job, const ProgressCallback& callback) {
         {.seed = job.seed, .budget = budget, .n_threads = job.run.n_threads, .progress = callback});
     JobStart start;
     start.points = std::move(result.points);
-    start.figures.pattern =
-        PatternOutcome<plane::LatticePattern>{result.lattice, lattice_stability(result.lattice)};
+    start.figures.pattern = pattern_figures(result.lattice);
     start.figures.found = std::move(result.found);
     start.evaluations = result.evaluations;
     start.cancelled = result.cancelled;

@@ -5,6 +5,7 @@
 
 #include "mesher/plane/symmetry/symmetric_sites.hpp"
 #include "plugin/job/job.hpp"
+#include "plugin/job/run_summary.hpp"
 
 namespace pcvt {
 

@@ -1,6 +1,7 @@
 #include "plugin/job/space_memory.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesher/space/delaunay/orbit_insertion.hpp"
 #include "plugin/job/job_memory.hpp"
@@ -10,7 +11,7 @@ namespace {
 
 /// Bytes a site: triangulating, optimising and building the cells, measured as SpaceFormat::memory.
 constexpr double kBuilding = 5600;
-/// A SpaceComputation, and not the heap that its run leaves.
+/// The sites and their triangulation, and not the heap that their run leaves.
 constexpr double kComputed = 400;
 /// Tetrahedra that are held while other files are written.
 constexpr double kHeldTetrahedra = 1100;
@@ -19,6 +20,9 @@ constexpr double kHeldTetrahedra = 1100;
 constexpr double kRemovingEdges = 7600;
 constexpr double kRemovedEdges = 1200;
 
+/// A message about memory names the tetrahedra where there are this many times as usual.
+constexpr double kManyTetrahedra = 3;
+
 /// Bytes a site of the largest part of a run with these files.
 double largest_bytes(const Job& job, const std::vector<JobFile>& files) {
     const double left = job.tile.short_edges > 0 ? kRemovedEdges : 0;
@@ -26,7 +30,7 @@ double largest_bytes(const Job& job, const std::vector<JobFile>& files) {
     double held = 0;
     for (const JobFile& file : files) {
         a_site = std::max(a_site, file.format->space->memory + left);
-        if (file.format->space->shows_tetrahedra(job.space_files)) held = kHeldTetrahedra;
+        if (file.format->space->shows_tetrahedra(job.meshes.front())) held = kHeldTetrahedra;
     }
     return a_site + held;
 }
@@ -40,10 +44,17 @@ double memory_in_space(const Job& job, const std::vector<JobFile>& files) {
     return kCommandBytes + kThreadBytes * job.run.n_threads + n_even * largest_bytes(job, files);
 }
 
-double memory_of_cells(const Job& job, int n_sites) { return memory_to_write(job, n_sites, {}); }
+double space_memory_to_write(const Job& job, const std::vector<JobFile>& files) {
+    return job.n_wanted() * (largest_bytes(job, files) - kComputed);
+}
 
-double memory_to_write(const Job& job, int n_sites, const std::vector<JobFile>& files) {
-    return n_sites * (largest_bytes(job, files) - kComputed);
+std::string space_run_takes(const Job& job) {
+    const auto n = static_cast<double>(job.n_given());
+    if (!(job.n_tetrahedra > kManyTetrahedra * space::kTetrahedraPerSite * n)) {
+        return "the run takes";
+    }
+    return "the sites have about " + std::to_string(std::llround(job.n_tetrahedra / n)) +
+           " Delaunay tetrahedra each, as sites on two lines have, and the run takes";
 }
 
 }  // namespace pcvt

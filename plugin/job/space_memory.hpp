@@ -1,8 +1,9 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "plugin/job/space_files.hpp"
+#include "plugin/job/job_files.hpp"
 
 namespace pcvt {
 
@@ -13,10 +14,12 @@ namespace pcvt {
 ///     const double bytes = memory_in_space(job, plan_files(job));
 double memory_in_space(const Job& job, const std::vector<JobFile>& files);
 
-/// The memory that cells, or files with their cells, take beside a SpaceComputation that is in
-/// memory: the same figures less that of the sites, their triangulation and the command.
-/// @param job  its short edges and its form of files.
-double memory_of_cells(const Job& job, int n_sites);
-double memory_to_write(const Job& job, int n_sites, const std::vector<JobFile>& files);
+/// The memory that the cells, and files, of a job take beside its sites and their triangulation,
+/// which are in memory.
+double space_memory_to_write(const Job& job, const std::vector<JobFile>& files);
+
+/// The subject and the verb of a message about the memory of a run: the tetrahedra where there are
+/// many, else the run.
+std::string space_run_takes(const Job& job);
 
 }  // namespace pcvt

@@ -152,12 +152,6 @@ Job in_round_space(const Job& job, const plane::Metric& metric) {
     return round;
 }
 
-void map_back(const plane::Metric& metric, plane::LatticePattern& pattern) {
-    for (plane::Lattice* lattice : {&pattern.period, &pattern.basis}) {
-        *lattice = {metric.from_round(lattice->a()), metric.from_round(lattice->b())};
-    }
-}
-
 plane::PeriodicMesh plane_mesh(const Tessellation& tessellation, plane::MeshKind kind) {
     plane::PeriodicMesh mesh = periodic_mesh(tessellation.delaunay, kind);
     if (tessellation.walled) return part_between_walls(std::move(mesh), *tessellation.walled);

@@ -12,7 +12,6 @@
 #include "mesher/plane/geometry/walled_domain.hpp"
 #include "mesher/plane/interfaces/inclusion.hpp"
 #include "mesher/plane/mesh/elongated_mesh.hpp"
-#include "mesher/plane/search/lattice_pattern.hpp"
 #include "mesher/plane/tile/tile_holes.hpp"
 
 namespace pcvt {
@@ -91,8 +90,6 @@ Tessellation tessellate(const Job& job, JobStart& start, JobMonitor& monitor,
 plane::Metric metric_of(const Job& job);
 /// The job with its lattice, sites and density mapped to the round space of a metric.
 Job in_round_space(const Job& job, const plane::Metric& metric);
-/// Maps the period and the basis of a pattern back to the plane.
-void map_back(const plane::Metric& metric, plane::LatticePattern& pattern);
 
 /// periodic_mesh() in the plane, or with walls the mesh between them.
 plane::PeriodicMesh plane_mesh(const Tessellation& tessellation, plane::MeshKind kind);

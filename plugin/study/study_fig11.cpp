@@ -5,8 +5,8 @@
 
 #include "io/bytes/text.hpp"
 #include "io/pictures/plot_svg.hpp"
+#include "mesher/optimize/run_statistics.hpp"
 #include "mesher/plane/search/lattice_certificate.hpp"
-#include "plugin/job/job.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
 

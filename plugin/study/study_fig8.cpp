@@ -2,8 +2,9 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
+#include "mesher/optimize/run_statistics.hpp"
 #include "mesher/plane/cvt/clipped_cvt.hpp"
-#include "plugin/job/job.hpp"
+#include "plugin/job/tessellation.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
 

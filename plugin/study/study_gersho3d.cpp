@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "io/pictures/plot_svg.hpp"
+#include "mesher/optimize/run_statistics.hpp"
 #include "mesher/space/cvt/cvt.hpp"
 #include "mesher/space/search/lattice_pattern.hpp"
-#include "plugin/job/job.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/optimize/run_statistics.hpp"
 #include "mesher/plane/cvt/clipped_cvt.hpp"
 #include "mesher/plane/search/lattice_pattern.hpp"
-#include "plugin/job/job.hpp"
 #include "plugin/study/study_recipes.hpp"
 
 namespace pcvt {

@@ -25,18 +25,19 @@ void add_space_tile(const SpaceFormat& format, const SpaceCase& c, const std::st
     const SpaceTile tile = tile_of(c);
     const bool closes = prove_polyhedra(tile.mesh).boundary_is_manifold;
     for (const SurfaceFormRow& row : kSurfaceForms) {
-        const SpaceFileOptions options{.surfaces = row.form};
-        if (format.shows_boundary(options) && !closes) continue;
+        if (format.shows_boundary(row.form) && !closes) continue;
         const bool has_forms = format.surfaces == FormatSurfaces::kChosen;
         bases.push_back({(has_forms ? std::string(row.word) + " " : "") + c.name,
-                         plane::MeshKind::kVoronoi, format.encode(tile, options, path)});
+                         plane::MeshKind::kVoronoi, format.encode(tile, row.form, path)});
         if (!has_forms) break;
     }
 }
 
 void add_without_short_edges(const SpaceFormat& format, const SpaceCase& c, const std::string& path,
                              std::vector<BaseFile>& bases) {
-    if (!format.takes_short_edges({}) || format.encode == nullptr || format.is_picture()) return;
+    if (!format.takes_short_edges(plane::MeshKind::kVoronoi) || format.encode == nullptr ||
+        format.is_picture())
+        return;
     bases.push_back(
         {"short " + c.name, plane::MeshKind::kVoronoi, format.encode(tile_of(c, 0.05), {}, path)});
 }

@@ -61,6 +61,7 @@ class Lattice {
 
     const Vec2& a() const { return a_; }
     const Vec2& b() const { return b_; }
+    std::array<Vec2, 2> periods() const { return {a_, b_}; }
     /// Area of the fundamental domain, |det(a, b)|.
     double area() const { return area_; }
     bool right_handed() const { return right_handed_; }

@@ -35,6 +35,8 @@ struct MeshKindRow {
     bool grain_size;
     /// Whether its triangles may have mid-side nodes.
     bool order_2;
+    /// Whether there is such a mesh of space.
+    bool in_space;
 };
 
 /// In the order of the enumerators.
@@ -46,7 +48,8 @@ inline constexpr std::array kMeshKinds{MeshKindRow{.kind = MeshKind::kVoronoi,
                                                    .box_outline = true,
                                                    .short_edges = true,
                                                    .grain_size = false,
-                                                   .order_2 = false},
+                                                   .order_2 = false,
+                                                   .in_space = true},
                                        MeshKindRow{.kind = MeshKind::kDelaunay,
                                                    .word = "delaunay",
                                                    .file_word = "triangles",
@@ -55,7 +58,8 @@ inline constexpr std::array kMeshKinds{MeshKindRow{.kind = MeshKind::kVoronoi,
                                                    .box_outline = false,
                                                    .short_edges = false,
                                                    .grain_size = false,
-                                                   .order_2 = false},
+                                                   .order_2 = false,
+                                                   .in_space = true},
                                        MeshKindRow{.kind = MeshKind::kGrains,
                                                    .word = "grains",
                                                    .file_word = "grains",
@@ -64,7 +68,8 @@ inline constexpr std::array kMeshKinds{MeshKindRow{.kind = MeshKind::kVoronoi,
                                                    .box_outline = true,
                                                    .short_edges = true,
                                                    .grain_size = true,
-                                                   .order_2 = true}};
+                                                   .order_2 = true,
+                                                   .in_space = false}};
 
 constexpr const MeshKindRow& mesh_kind_row(MeshKind kind) {
     return kMeshKinds[static_cast<std::size_t>(kind)];

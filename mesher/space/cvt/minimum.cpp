@@ -19,4 +19,10 @@ Minimum decided_minimum(const PeriodicDelaunay& delaunay) {
     return minimum_by_inertia(hessian, kTranslations);
 }
 
+std::optional<Minimum> minimum_of(const CvtResult& result) {
+    const bool are_few = result.delaunay.sites.n_sites() <= kMostSitesForMinimum;
+    if (result.run.stop != Stop::kConverged || !are_few) return {};
+    return decided_minimum(result.delaunay);
+}
+
 }  // namespace pcvt::space

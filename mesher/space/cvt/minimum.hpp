@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesher/optimize/minimum.hpp"
+#include "mesher/space/cvt/cvt.hpp"
 #include "mesher/space/delaunay/periodic_delaunay.hpp"
 
 namespace pcvt::space {
@@ -19,5 +20,8 @@ inline constexpr int kMostSitesForMinimum = 2000;
 ///
 /// Cost: sparse factorisations, of order n^2.
 Minimum decided_minimum(const PeriodicDelaunay& delaunay);
+
+/// The same of a run; `nullopt` if it did not converge, or has more than kMostSitesForMinimum sites.
+std::optional<Minimum> minimum_of(const CvtResult& result);
 
 }  // namespace pcvt::space

@@ -4,7 +4,6 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include "io/forms/surface_list.hpp"
 #include "plugin/cli/options/option_values.hpp"
 #include "plugin/job/job_files.hpp"
 
@@ -72,9 +71,6 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
 }
 
 FileOptions file_options(const CLI::App& app, const FileChoices& choices) {
-    if (app.count("--surface") > 0) {
-        throw InvalidInput("--surface is for three dimensions; leave it out, or give W,H,D");
-    }
     FileOptions options;
     if (app.count("--colour") > 0) {
         options.colouring = chosen_row("--colour", choices.colour, kColourings).colouring;
@@ -102,6 +98,9 @@ FileOptions file_options(const CLI::App& app, const FileChoices& choices) {
     }
     if (app.count("--thickness") > 0) {
         options.thickness = positive_number("--thickness", choices.thickness);
+    }
+    if (app.count("--surface") > 0) {
+        options.surfaces = chosen_row("--surface", choices.surface, kSurfaceForms).form;
     }
     return options;
 }

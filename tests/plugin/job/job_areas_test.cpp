@@ -13,6 +13,8 @@
 #include "mesher/plane/mesh/cell_measures.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_tiles.hpp"
+#include "plugin/job/plane_world.hpp"
+#include "plugin/job/run_job.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/random_numbers.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -125,7 +127,7 @@ Outcome prove_jobs(std::uint64_t first_seed, std::uint64_t end) {
         const Job job = some_job(seed);
         JobMonitor monitor(silent, {});
         try {
-            const Computation computed = compute_job(job, {}).value();
+            const Computation<PlaneWorld> computed = compute_job<PlaneWorld>(job, {}).value();
             for (const plane::BuiltTile& built : proved_tiles(job, computed.cells, monitor)) {
                 ++outcome.n_proved;
                 EXPECT_EQ(built.tile.site_weights.size(), job.areas ? job.n_sites : 0);
@@ -170,7 +172,7 @@ TEST(JobAreas, EdgesBendAtCornersOfTheBoxOnly) {
     job.meshes = {plane::MeshKind::kGrains};
     const JobCallback silent;
     JobMonitor monitor(silent, {});
-    const Computation computed = compute_job(job, {}).value();
+    const Computation<PlaneWorld> computed = compute_job<PlaneWorld>(job, {}).value();
     EXPECT_EQ(proved_tiles(job, computed.cells, monitor).size(), 1);
 }
 
@@ -179,9 +181,9 @@ TEST(JobAreas, CellsHaveTheAreasExactly) {
         SCOPED_TRACE(seed);
         const Job job = some_job(seed);
         if (!job.areas) continue;
-        std::optional<Computation> computed;
+        std::optional<Computation<PlaneWorld>> computed;
         try {
-            computed = compute_job(job, {});
+            computed = compute_job<PlaneWorld>(job, {});
         } catch (const DuplicateSites&) {
             continue;
         }
@@ -224,9 +226,9 @@ TEST(JobAreas, CellsAreThoseOfBruteForceInTheMetric) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         SCOPED_TRACE(seed);
         const Job job = some_job(seed);
-        std::optional<Computation> computed;
+        std::optional<Computation<PlaneWorld>> computed;
         try {
-            computed = compute_job(job, {});
+            computed = compute_job<PlaneWorld>(job, {});
         } catch (const DuplicateSites&) {
             continue;
         }
@@ -253,7 +255,7 @@ TEST(JobAreas, SitesOfAFileKeepTheirNumbersAndPlaces) {
     job.areas = WishedAreas{.given = Eigen::VectorXd::LinSpaced(50, 1, 3), .name = "areas.txt"};
     job.aspect = Aspect{.ratio = 2, .degrees = 30};
     job.run.max_iterations = 0;
-    const Computation computed = compute_job(job, {}).value();
+    const Computation<PlaneWorld> computed = compute_job<PlaneWorld>(job, {}).value();
     const plane::Points sites = wrapped_sites(computed.cells, job.tile.origin);
     const plane::Domain domain(job.in_plane().lattice, job.tile.origin);
     for (int s = 0; s < 50; ++s) {
@@ -270,7 +272,8 @@ TEST(JobAreas, SortedAreasOfAFileLieAtRandom) {
     job.n_sites = 400;
     job.areas = WishedAreas{.given = Eigen::VectorXd::LinSpaced(400, 1, 9), .name = "areas.txt"};
     job.run.max_iterations = 0;
-    const plane::Points sites = wrapped_sites(compute_job(job, {}).value().cells, job.tile.origin);
+    const plane::Points sites =
+        wrapped_sites(compute_job<PlaneWorld>(job, {}).value().cells, job.tile.origin);
     // The correlation of x with the number of the site.
     double sum = 0;
     for (int s = 0; s < 400; ++s) sum += (sites(0, s) - 0.5) * (s - 199.5);
@@ -287,8 +290,8 @@ TEST(JobAreas, TheResultIsThatOfTheRoundSpace) {
     job.in_plane().points.row(0) *= 2;
     job.in_plane().points.row(1) /= 2;
     job.aspect = Aspect{.ratio = 4, .degrees = 0};
-    const Computation here = compute_job(job, {}).value();
-    const Computation there = compute_job(round, {}).value();
+    const Computation<PlaneWorld> here = compute_job<PlaneWorld>(job, {}).value();
+    const Computation<PlaneWorld> there = compute_job<PlaneWorld>(round, {}).value();
     EXPECT_EQ(here.cells.run.energy, there.cells.run.energy);
     plane::Points mapped = wrapped_sites(there.cells, plane::Vec2::Zero());
     mapped.row(0) *= 2;
@@ -305,7 +308,7 @@ TEST(JobAreas, ProgressNamesTheStepsAndRises) {
         job.run.tolerance = 1e-3;
         std::string words;
         double fraction = 0;
-        compute_job(job, [&](const JobProgress& progress) {
+        compute_job<PlaneWorld>(job, [&](const JobProgress& progress) {
             if (progress.phase != Phase::kOptimising) return true;
             EXPECT_GE(progress.fraction, fraction);
             EXPECT_LE(progress.fraction, 1);
@@ -330,7 +333,8 @@ TEST(JobAreas, AnyCallOfTheCallbackCancels) {
     job.run.max_iterations = 2;
     for (int last = 0; last < 12; ++last) {
         int n_calls = 0;
-        EXPECT_FALSE(compute_job(job, [&](const JobProgress&) { return n_calls++ < last; }));
+        EXPECT_FALSE(
+            compute_job<PlaneWorld>(job, [&](const JobProgress&) { return n_calls++ < last; }));
         EXPECT_EQ(n_calls, last + 1);
     }
 }
@@ -350,7 +354,7 @@ TEST(JobAreas, SitesOfTheReportsAreThoseOfTheFiles) {
     const RunSummary summary = run_job(job, {});
     EXPECT_LT(summary.areas->newton.largest_relative_error, 1e-10);
     const plane::Points sites = read_sites<2>(folder / "t.txt").points;
-    const Computation computed = compute_job(job, {}).value();
+    const Computation<PlaneWorld> computed = compute_job<PlaneWorld>(job, {}).value();
     EXPECT_EQ(sites, wrapped_sites(computed.cells, job.tile.origin));
 }
 

@@ -12,6 +12,7 @@
 
 #include "mesher/plane/density/pixel_grid.hpp"
 #include "plugin/job/job.hpp"
+#include "plugin/job/run_job.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace pcvt {

@@ -5,6 +5,7 @@
 #include "io/mpas/mpas_reader.hpp"
 #include "mesher/plane/search/lattice_pattern.hpp"
 #include "plugin/job/job.hpp"
+#include "plugin/job/run_job.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace pcvt {

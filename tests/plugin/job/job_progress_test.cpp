@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "plugin/job/job.hpp"
+#include "plugin/job/run_job.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace pcvt {

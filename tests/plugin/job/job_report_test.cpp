@@ -29,7 +29,6 @@ RunSummary example_summary() {
     summary.minimum = Minimum::kYes;
     summary.n_mirrors = 1'000'000;
     summary.valences = {{5, 50}, {6, 900}, {7, 50}};
-    summary.n_hexagons = 900;
     summary.files = {"a \"b\".obj", "\xC3\xBC.txt"};
     summary.seconds = {0, 1.5, 2, 3.5};
     return summary;
@@ -45,11 +44,11 @@ TEST(JobReport, KeysFollowTheContractInItsOrder) {
     for (const auto& [key, value] : json.items()) {
         keys.push_back(key);
     }
-    EXPECT_THAT(
-        keys, ::testing::ElementsAre("version", "sites", "lattice", "seed", "solver", "start",
-                                     "stop", "iterations", "evaluations", "hessians", "cg_products",
-                                     "energy", "energy_bound", "residual", "minimum", "hexagons",
-                                     "valences", "mirrors", "threads", "seconds", "files"));
+    EXPECT_THAT(keys, ::testing::ElementsAre("version", "dimension", "sites", "lattice", "seed",
+                                             "solver", "start", "stop", "iterations", "evaluations",
+                                             "hessians", "cg_products", "energy", "energy_bound",
+                                             "residual", "rms_residual", "minimum", "hexagons",
+                                             "valences", "mirrors", "threads", "seconds", "files"));
 }
 
 TEST(JobReport, ValuesReadBackExactly) {
@@ -84,16 +83,32 @@ TEST(JobReport, UnknownValuesAreNull) {
 
 TEST(JobReport, APatternIsTheLastKey) {
     RunSummary summary = example_summary();
-    plane::LatticePattern lattice =
-        plane::lattice_pattern(plane::Lattice({1, 0}, {0, 1}), {.a = 2, .b = 1, .d = 1});
-    lattice.basis = plane::Lattice({0.5, 0.5}, {-0.5, 0.5});
-    lattice.energy = 0.25;
-    summary.start.pattern =
-        PatternOutcome<plane::LatticePattern>{.lattice = lattice, .stability = {}};
-    summary.start.pattern->stability.minimum = Minimum::kNo;
+    summary.start.pattern = PatternFigures{.basis = Eigen::Matrix2d{{0.5, -0.5}, {0.5, 0.5}},
+                                           .hermite = {2, 1, 1},
+                                           .energy = 0.25,
+                                           .stability = {.minimum = Minimum::kNo}};
     EXPECT_EQ(report(summary).back().dump(),
               "{\"basis\":[[0.5,0.5],[-0.5,0.5]],\"hermite\":[2,1,1],\"energy\":0.25,"
               "\"minimum\":\"no\",\"smallest_eigenvalue\":null}");
+}
+
+TEST(JobReport, TheKeysOfBothDimensionsAreThoseOfThePlaneWithoutHexagons) {
+    Job job = example_job();
+    job.domain = SpaceDomain{space::Lattice::box(1, 2, 3)};
+    RunSummary summary = example_summary();
+    summary.valences = {{13, 400}, {14, 600}};
+    summary.polyhedra = PolyhedraFigures{.n_removed_edges = 7};
+    const Json plane = report(example_summary());
+    const Json space = Json::parse(encode_job_report(job, summary));
+    for (const auto& [key, value] : plane.items()) {
+        EXPECT_EQ(space.contains(key), key != "hexagons") << key;
+    }
+    EXPECT_EQ(space["dimension"], 3);
+    EXPECT_EQ(space["lattice"].dump(), "[[1,0,0],[0,2,0],[0,0,3]]");
+    EXPECT_EQ(space["valences"].dump(), "{\"13\":400,\"14\":600}");
+    EXPECT_EQ(space["faces"], space["valences"]);
+    EXPECT_EQ(space["removed_edges"], 7);
+    EXPECT_EQ(plane["dimension"], 2);
 }
 
 TEST(JobReport, OnlyRunsWithADensityHaveItsKeys) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "plugin/job/run_job.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace pcvt {

@@ -9,6 +9,7 @@
 #include "mesher/plane/tile/site_positions.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_files.hpp"
+#include "plugin/job/run_job.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace pcvt {

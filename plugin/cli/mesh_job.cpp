@@ -1,0 +1,247 @@
+#include "plugin/cli/mesh_job.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <optional>
+#include <thread>
+
+#include "io/bytes/extension.hpp"
+#include "plugin/cli/options/command_words.hpp"
+#include "plugin/cli/options/option_values.hpp"
+#include "plugin/cli/options/site_source.hpp"
+#include "plugin/job/features.hpp"
+#include "plugin/job/job_checks.hpp"
+#include "plugin/job/job_files.hpp"
+#include "plugin/job/job_start.hpp"
+
+namespace pcvt::cli {
+namespace {
+
+constexpr int kMostPerEdge = 1000;
+constexpr int kLargestBudget = 2'000'000'000;
+constexpr int kMostRetries = 1'000'000;
+
+std::ptrdiff_t count_commas(const std::string& text) {
+    return std::count(text.begin(), text.end(), ',');
+}
+
+bool means_space(const MeshOptions& options) {
+    return count_commas(options.lattice) == 8 || count_commas(options.period) == 2;
+}
+
+/// Refuses the options that jobs of the other dimension have.
+/// @param of_dimension  FeatureRow::in_plane or in_space.
+void refuse_foreign_options(const CLI::App& app, bool FeatureRow::*of_dimension,
+                            const char* refusal) {
+    for (const CLI::Option* option : app.get_options()) {
+        const std::string name = option->get_name();
+        const FeatureRow* const feature = find_option(name);
+        if (option->count() == 0 || feature == nullptr || feature->*of_dimension) continue;
+        throw InvalidInput(name + refusal);
+    }
+}
+
+/// The row of a table of choices that a word names, of those that the dimension of the job has.
+template <class Table>
+const auto& row_for(const Job& job, const char* option, const std::string& word,
+                    const Table& table) {
+    if (!job.is_in_space()) return chosen_row(option, word, table);
+    if (const auto* row = find_word(table, word); row != nullptr && row->in_space) return *row;
+    throw InvalidInput(std::string(option) + " " + word + ": not for three dimensions; take " +
+                       listed_words(rows_in_space(table), ", ", " or "));
+}
+
+space::Lattice chosen_space_lattice(const CLI::App& app, const MeshOptions& options) {
+    require_one_lattice(app);
+    return app.count("--period") > 0 ? box_lattice("--period", options.period)
+                                     : space_lattice("--lattice", options.lattice);
+}
+
+/// The lattice of --period or --lattice, or one that fits the symmetry, or the unit square.
+plane::Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options,
+                              const std::optional<plane::PlaneGroupName>& symmetry) {
+    require_one_lattice(app);
+    if (options.period == "auto") return automatic_period(options.cells);
+    if (app.count("--period") > 0) return rectangle_lattice("--period", options.period);
+    if (app.count("--lattice") > 0) return vector_lattice("--lattice", options.lattice);
+    if (symmetry) return example_lattice(*symmetry);
+    return plane::Lattice::rectangle(1, 1);
+}
+
+void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job) {
+    require_one_site_source(app, options.input);
+    if (app.count("--sites") > 0) {
+        job.n_sites = whole_number("--sites", options.sites, 1,
+                                   job.is_in_space() ? space::kMostSites : plane::kMostSites);
+    }
+    const bool draws_areas = job.areas && job.areas->is_drawn();
+    if (!draws_areas) refuse_beside_input(app, {"--seed"});
+    refuse_beside_input(app, {"--retry", "--start", "--symmetry"});
+    if (app.count("--seed") > 0) job.seed = seed_number("--seed", options.seed);
+    if (app.count("--retry") > 0) {
+        job.retries = whole_number("--retry", options.retry, 0, kMostRetries);
+    }
+    if (app.count("--input") > 0 && options.input != "-") job.inputs.push_back(options.input);
+    job.duplicates = chosen_duplicates(app, options.duplicates);
+}
+
+void read_meshes(const CLI::App& app, const MeshOptions& options, Job& job) {
+    if (app.count("--mesh") == 0) return;
+    if (job.is_in_space() && options.meshes.size() > 1) {
+        throw InvalidInput("--mesh: one mesh a run in three dimensions; remove one");
+    }
+    job.meshes.clear();
+    for (const std::string& name : options.meshes) {
+        const plane::MeshKind kind = row_for(job, "--mesh", name, plane::kMeshKinds).kind;
+        if (std::find(job.meshes.begin(), job.meshes.end(), kind) != job.meshes.end()) {
+            throw InvalidInput("--mesh " + name + " is given twice; remove one");
+        }
+        job.meshes.push_back(kind);
+    }
+}
+
+void read_choices(const CLI::App& app, const MeshOptions& options, Job& job) {
+    if (app.count("--start") > 0) {
+        job.start = row_for(job, "--start", options.start, start_rows()).start;
+    }
+    if (app.count("--solver") > 0) {
+        job.run.solver = row_for(job, "--solver", options.solver, kSolvers).solver;
+    }
+    if (app.count("--outline") > 0) {
+        job.tile.outline = chosen_row("--outline", options.outline, kOutlines).outline;
+    }
+}
+
+void read_grains(const CLI::App& app, const MeshOptions& options, Job& job) {
+    const auto require_mesh = [&](const char* name, bool plane::MeshKindRow::*property) {
+        if (app.count(name) == 0 || has_mesh(job, property)) return;
+        throw InvalidInput(std::string(name) + " is for grains; add --mesh grains or leave it out");
+    };
+    require_mesh("--size", &plane::MeshKindRow::grain_size);
+    require_mesh("--per-edge", &plane::MeshKindRow::grain_size);
+    require_mesh("--order", &plane::MeshKindRow::order_2);
+    if (app.count("--size") > 0) job.tile.grain_size = positive_number("--size", options.size);
+    if (app.count("--per-edge") > 0) {
+        job.tile.grain_per_edge = whole_number("--per-edge", options.per_edge, 1, kMostPerEdge);
+        if (job.tile.grain_size > 0) {
+            throw InvalidInput("--per-edge replaces --size; leave one of them out");
+        }
+    }
+    if (app.count("--order") > 0) job.tile.order = whole_number("--order", options.order, 1, 2);
+}
+
+void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
+    if (app.count("--tolerance") > 0) {
+        job.run.tolerance = positive_number("--tolerance", options.tolerance);
+    }
+    if (app.count("--max-iterations") > 0) {
+        job.run.max_iterations =
+            whole_number("--max-iterations", options.max_iterations, 0, kMostIterations);
+    }
+    if (app.count("--budget") > 0) {
+        if (job.start != Start::kBest) {
+            throw InvalidInput("--budget is for --start best; leave it out");
+        }
+        job.budget = whole_number("--budget", options.budget, 1, kLargestBudget);
+    }
+    job.run.n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    if (app.count("--threads") > 0) {
+        job.run.n_threads = whole_number("--threads", options.threads, 1, kMostThreads);
+    }
+    if (app.count("--origin") > 0) {
+        job.tile.finds_origin = options.origin == "auto";
+        if (!job.tile.finds_origin) job.tile.origin = point("--origin", options.origin);
+        if (job.tile.finds_origin && job.tile.outline != plane::Outline::kBox) {
+            throw InvalidInput("--origin auto is for --outline box; add it, or give X,Y");
+        }
+    }
+    if (app.count("--repeat") > 0) {
+        const Repetition times = repetition("--repeat", options.repeat);
+        job.tile.columns = times.columns;
+        job.tile.rows = times.rows;
+    }
+}
+
+void read_short_edges(const CLI::App& app, const MeshOptions& options, Job& job) {
+    if (app.count("--short-edges") == 0) return;
+    job.tile.short_edges = positive_number("--short-edges", options.short_edges);
+    if (job.tile.short_edges > longest_short_edge(job)) {
+        throw InvalidInput(
+            "--short-edges " + options.short_edges + ": such edges are not short" +
+            (job.is_in_space() ? " in space; take at most 0.1" : "; take at most 0.5"));
+    }
+    if (job.is_in_space() || has_mesh(job, &plane::MeshKindRow::short_edges)) return;
+    throw InvalidInput(
+        "--short-edges is for cells and grains; take --mesh voronoi or leave it out");
+}
+
+void read_outputs(const CLI::App& app, const MeshOptions& options, Job& job) {
+    job.outputs = options.outputs;
+    if (app.count("--cells") > 0) {
+        if (lower_case_extension(options.table) != ".csv") {
+            throw InvalidInput("--cells " + options.table + ": not a .csv file; name it FILE.csv");
+        }
+        job.outputs.push_back(options.table);
+    }
+    if (!options.report.empty() && !options.report.ends_with(".json")) {
+        throw InvalidInput("--report " + options.report + ": not a .json file; name it FILE.json");
+    }
+    job.report = options.report;
+    job.force = options.force;
+}
+
+/// Requires that no file in space holds another mesh than the one that --mesh names, and that one
+/// has the surfaces that --surface chooses.
+void check_space_files(const CLI::App& app, const Job& job) {
+    bool has_surfaces = false;
+    for (const JobFile& file : plan_files(job)) {
+        const SpaceFormat& format = *file.format->space;
+        has_surfaces = has_surfaces || format.surfaces == FormatSurfaces::kChosen;
+        const bool names_cells =
+            app.count("--mesh") > 0 && job.meshes.front() == plane::MeshKind::kVoronoi;
+        if (!names_cells || !format.shows_tetrahedra(job.meshes.front())) continue;
+        throw InvalidInput("-o " + file.path() +
+                           ": the format holds the tetrahedra of --mesh delaunay; leave --mesh "
+                           "out");
+    }
+    if (app.count("--surface") == 0 || has_surfaces) return;
+    throw InvalidInput("--surface is for " + surface_extensions() + "; add such a file with -o");
+}
+
+}  // namespace
+
+Job make_job(const CLI::App& app, const MeshOptions& options) {
+    Job job;
+    if (means_space(options)) {
+        refuse_foreign_options(app, &FeatureRow::in_space,
+                               " is not for three dimensions; leave it out, or give two period "
+                               "vectors");
+        job.domain = SpaceDomain{chosen_space_lattice(app, options)};
+    } else {
+        refuse_foreign_options(app, &FeatureRow::in_plane,
+                               " is for three dimensions; leave it out, or give W,H,D");
+        if (app.count("--symmetry") > 0) {
+            job.symmetry = chosen_row("--symmetry", options.symmetry, plane::kPlaneGroups).name;
+        }
+        job.in_plane().lattice = chosen_lattice(app, options, job.symmetry);
+    }
+    read_cell_options(app, options.cells, job);
+    read_site_source(app, options, job);
+    read_choices(app, options, job);
+    read_meshes(app, options, job);
+    read_grains(app, options, job);
+    read_numbers(app, options, job);
+    read_short_edges(app, options, job);
+    job.materials = material_choices(app, options.materials, job.inputs);
+    job.file_options = file_options(app, options.files);
+    job.file_options.elastic = elastic_choices(options.materials);
+    job.command = command_words(app);
+    job.stability = options.stability;
+    read_outputs(app, options, job);
+    if (job.is_in_space()) check_space_files(app, job);
+    return job;
+}
+
+}  // namespace pcvt::cli

@@ -1,0 +1,238 @@
+#include "plugin/job/plane_world.hpp"
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "io/formats/file_proof.hpp"
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/plane/mesh/cell_measures.hpp"
+#include "mesher/plane/mesh/valence.hpp"
+#include "mesher/plane/symmetry/folded_density.hpp"
+#include "plugin/job/job_constraints.hpp"
+#include "plugin/job/job_start.hpp"
+#include "plugin/job/job_tiles.hpp"
+#include "plugin/job/version.hpp"
+
+namespace pcvt {
+namespace {
+
+/// The factor by which target_areas() multiplies given areas.
+std::optional<double> area_scale(const Job& job) {
+    const Eigen::VectorXd& given = job.areas->given;
+    if (given.size() == 0) return std::nullopt;
+    const double scale = job.in_plane().lattice.area() / given.sum();
+    return std::isfinite(scale) && scale > 0 ? std::optional(scale) : std::nullopt;
+}
+
+/// Adds the figures of the cells to the summary.
+void add_figures(const Job& job, const Tessellation& cells, RunSummary& summary) {
+    summary.n_sites = cells.n_sites();
+    if (!cells.density) summary.energy_bound = energy_bound(cells);
+    summary.n_mirrors = cells.counts.n_mirrors;
+    summary.valences = plane::histogram(cell_sides(cells));
+    summary.density = cells.density;
+    if (cells.areas) {
+        summary.areas = area_summary(cells);
+        summary.areas->scale = area_scale(job);
+    }
+    summary.n_orbits = cells.n_orbits();
+    if (cells.walled) summary.n_on_walls = cells.walled->n_on_walls;
+    summary.interfaces = cells.interfaces;
+}
+
+/// Evaluated before any file is written, because a host's density ends with its call.
+std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
+    if (!job.density) return {};
+    const plane::Lattice& lattice = job.in_plane().lattice;
+    const plane::Density density =
+        job.symmetry ? folded_density(*job.density, plane::PlaneGroup(*job.symmetry, lattice))
+                     : *job.density;
+    return densities_at(density, lattice, wrapped_sites(cells, job.tile.origin));
+}
+
+void add_materials(const Job& job, Computation<PlaneWorld>& computation) {
+    const CellTable cells = cell_table(plane_mesh(computation.cells, plane::MeshKind::kVoronoi));
+    if (job.has_inclusions()) {
+        computation.materials = tag_materials(computation.cells);
+        computation.phases = tag_figures(computation.cells, cells);
+        return;
+    }
+    computation.materials = choose_materials(job.materials, cells, job.seed);
+    computation.phases = phase_figures(job.materials, computation.materials, cells);
+}
+
+/// Encodes the files of a job, each in the form that its format writes, and proves them.
+class PlaneContent {
+   public:
+    PlaneContent(const Job& job, const Computation<PlaneWorld>& computation,
+                 const std::vector<plane::BuiltTile>& tiles)
+        : job_(job), computation_(computation), tiles_(tiles) {}
+
+    std::vector<EncodedFile> encode(const JobFile& file) const {
+        return std::visit([&](auto* write) { return encode(file, write); }, file.format->write);
+    }
+
+    void prove(const JobFile& file, const std::vector<EncodedFile>& encoded) const {
+        const Format& format = *file.format;
+        if (format.reads_grid()) {
+            prove_grid_files(format, encoded);
+        } else if (format.reads_sites()) {
+            prove_site_files(format, encoded, sites());
+        } else if (format.reads_cells()) {
+            prove_cell_files(format, encoded, cell_rows());
+        } else if (format.reads_voxels()) {
+            prove_voxel_files(format, encoded, computation_.materials);
+        } else if (format.is_readable()) {
+            prove_tile_files(format, encoded, tile(file), job_.tile.origin, tile_options(file));
+        }
+    }
+
+   private:
+    std::vector<EncodedFile> encode(const JobFile& file, TileWriter* write) const {
+        return write(tile(file), file.path());
+    }
+    std::vector<EncodedFile> encode(const JobFile& file, TileFormWriter* write) const {
+        return write(tile(file), tile_options(file), file.path());
+    }
+    std::vector<EncodedFile> encode(const JobFile& file, TorusWriter* write) const {
+        const plane::PeriodicMesh cells =
+            repeated(plane_mesh(computation_.cells, plane::MeshKind::kVoronoi), job_.tile.columns,
+                     job_.tile.rows);
+        const Torus torus{.cells = cells,
+                          .origin = job_.tile.origin,
+                          .site_densities = computation_.site_densities,
+                          .coriolis = job_.file_options.coriolis,
+                          .history = history()};
+        try {
+            return write(torus, file.path());
+        } catch (const UnsuitableCells& error) {
+            throw UnsuitableCells("-o " + file.path() + ": " + error.what());
+        } catch (const InvalidInput& error) {
+            throw InvalidInput("-o " + file.path() + ": " + error.what());
+        }
+    }
+    std::vector<EncodedFile> encode(const JobFile& file, SiteWriter* write) const {
+        return write(sites(), file.path());
+    }
+    std::vector<EncodedFile> encode(const JobFile& file, CellWriter* write) const {
+        return write(cell_rows(), file.path());
+    }
+    std::vector<EncodedFile> encode(const JobFile& file, VoxelWriter* write) const {
+        const plane::VoxelCounts counts =
+            requested_voxels(format_request(job_, plane::MeshKind::kVoronoi));
+        const plane::Lattice& lattice = job_.in_plane().lattice;
+        const plane::VoxelGrid grid = voxel_grid(
+            lattice.repeated(job_.tile.columns, job_.tile.rows), job_.tile.origin, counts);
+        const auto& elongation = computation_.cells.elongation;
+        const plane::VoxelCells cells{.lattice = lattice,
+                                      .sites = sites(),
+                                      .weights = site_weights(computation_.cells),
+                                      .metric = elongation ? elongation->metric : plane::Metric()};
+        return write(
+            voxel_image(computation_.cells.delaunay, cells.metric, grid, job_.run.n_threads), cells,
+            computation_.materials, job_.file_options.elastic, file.path());
+    }
+
+    CellRows cell_rows() const {
+        return {
+            .sites = sites(),
+            .cells = cell_table(mesh_outside_holes(computation_.cells, plane::MeshKind::kVoronoi)),
+            .weights = site_weights(computation_.cells),
+            .materials = computation_.materials,
+            .phases_are_tags = job_.has_inclusions(),
+            .orbits = computation_.cells.site_orbits};
+    }
+    /// The run as files state it: equal for equal results.
+    std::string history() const {
+        return std::string("pcvt ") + version() + (job_.command.empty() ? "" : ": ") +
+               job_.command + "; seed " + std::to_string(job_.seed);
+    }
+    FileOptions tile_options(const JobFile& file) const {
+        FileOptions options = job_.file_options;
+        options.site_densities = computation_.site_densities;
+        options.site_orbits = computation_.cells.site_orbits;
+        // Delaunay triangles have no materials where files state those of cells.
+        const bool are_cells = faces_have_sites(tile(file).kind) || !file.format->states_materials;
+        if (are_cells && !computation_.materials.empty()) {
+            options.materials = &computation_.materials;
+        }
+        // The materials and groups of files are the tags.
+        if (job_.has_inclusions() && !options.colouring) options.colouring = Colouring::kTag;
+        return options;
+    }
+    plane::Points sites() const { return wrapped_sites(computation_.cells, job_.tile.origin); }
+    const plane::Tile& tile(const JobFile& file) const {
+        return tiles_[static_cast<std::size_t>(file.mesh)].tile;
+    }
+
+    const Job& job_;
+    const Computation<PlaneWorld>& computation_;
+    const std::vector<plane::BuiltTile>& tiles_;
+};
+
+}  // namespace
+
+void PlaneWorld::check_files(const Job& job, const std::vector<JobFile>& files,
+                             const std::vector<std::string>& phases) {
+    check_order(job, files);
+    check_file_options(job, files, phases);
+}
+
+Computation<PlaneWorld> PlaneWorld::compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
+    const plane::Metric metric = metric_of(job);
+    const std::optional<Job> round =
+        metric.is_round() ? std::nullopt : std::optional(in_round_space(job, metric));
+    // Start, optimise, and map back.
+    JobStart start = job_start(round ? *round : job, [&monitor](const Progress& progress) {
+        return monitor.start_iteration(progress);
+    });
+    if (start.cancelled) throw Cancelled{};
+    watch.stop(&JobSeconds::optimize);
+    Tessellation cells = tessellate(round ? *round : job, start, monitor,
+                                    [&watch] { watch.stop(&JobSeconds::build); });
+    watch.stop(&JobSeconds::optimize);
+    if (cells.run.stop == Stop::kCancelled) throw Cancelled{};
+    cells.run.evaluations += start.evaluations;
+    if (round) {
+        cells.elongation = plane::Elongation{metric, job.in_plane().lattice};
+        if (auto& pattern = start.figures.pattern) {
+            for (auto vector : pattern->basis.colwise()) {
+                vector = metric.from_round(plane::Vec2(vector));
+            }
+        }
+    }
+    std::vector<double> densities = site_densities(job, cells);
+    Computation<PlaneWorld> computation{.cells = std::move(cells),
+                                        .start = std::move(start.figures),
+                                        .site_densities = std::move(densities)};
+    if (!job.materials.empty() || job.has_inclusions()) add_materials(job, computation);
+    watch.stop(&JobSeconds::build);
+    computation.seconds = watch.seconds();
+    return computation;
+}
+
+PlaneWorld::Tiles PlaneWorld::build_tiles(const Job& job, const std::vector<JobFile>& files,
+                                          const Computation<PlaneWorld>& computation,
+                                          JobMonitor& monitor) {
+    if (!needs_tiles(job, files)) return {};
+    return proved_tiles(job, computation.cells, monitor);
+}
+
+FileContent PlaneWorld::content(const Job& job, const std::vector<JobFile>& files,
+                                const Computation<PlaneWorld>& computation,
+                                const TileSource<PlaneWorld>& tiles, JobMonitor& monitor,
+                                RunSummary& summary) {
+    const Tiles& built = tiles(monitor);
+    add_figures(job, computation.cells, summary);
+    for (const plane::BuiltTile& tile : built) summary.tiles.push_back(tile.figures);
+    summary.constants = stated_constants(files, job.file_options, computation.materials);
+    const auto content = std::make_shared<const PlaneContent>(job, computation, built);
+    return {.encode = [content](const JobFile& file) { return content->encode(file); },
+            .prove =
+                [content](const JobFile& file, const std::vector<EncodedFile>& encoded) {
+                    content->prove(file, encoded);
+                }};
+}
+
+}  // namespace pcvt

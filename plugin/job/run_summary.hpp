@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/bytes/output_error.hpp"
+#include "mesher/cells/elastic_choices.hpp"
+#include "mesher/cells/material_choices.hpp"
+#include "mesher/cells/orientations.hpp"
+#include "mesher/optimize/minimum.hpp"
+#include "mesher/optimize/run_statistics.hpp"
+#include "mesher/plane/cvt/cvt.hpp"
+#include "mesher/plane/tile/build_tile.hpp"
+#include "mesher/space/proof/polyhedral_proof.hpp"
+#include "plugin/job/tessellation.hpp"
+
+namespace pcvt {
+
+/// Seconds of each stage.
+struct JobSeconds {
+    double build = 0;
+    double optimize = 0;
+    double write = 0;
+    double total = 0;
+};
+
+/// The best exact lattice for the number of sites.
+struct PatternFigures {
+    /// A reduced basis, one vector a column, length units.
+    Eigen::MatrixXd basis;
+    /// The numbers of its Hermite form: a, b, d in the plane, a, d, f, b, c, e in space.
+    std::vector<int> hermite;
+    double energy = 0;
+    LatticeStability stability = {};
+};
+
+/// What is known of a start, besides the sites.
+struct StartFigures {
+    /// Of the starts that look for it.
+    std::optional<PatternFigures> pattern = {};
+    /// How the global search found its best state, in words; else empty.
+    std::string found = {};
+};
+
+/// The figures of a tile of polyhedra.
+struct PolyhedraFigures {
+    int n_removed_edges = 0;
+    space::PolyhedralProof proof = {};
+};
+
+/// The summary of a run, besides its files.
+struct RunSummary {
+    /// Its evaluations include those of a global search, but not those of the coarser problems of a
+    /// coarse start. kCancelled: no file was written, and no other member is set. The energy is F,
+    /// length^4, in space length^5.
+    RunStatistics run = {.stop = Stop::kCancelled};
+    int n_sites = 0;
+    /// The seed that was used, which follows Job::seed where outputs refused the seeds before it.
+    std::uint64_t seed = 0;
+    /// The energy of as many regular hexagons, or of truncated octahedra; `nullopt` with a density.
+    std::optional<double> energy_bound = {};
+    /// As minimum_of() returns it, of jobs that ask for the stability.
+    std::optional<Minimum> minimum = {};
+    /// `nullopt` if the triangulation was built without mirrors.
+    std::optional<int> n_mirrors = {};
+    /// Cells by their number of sides, in space of faces, on the unrepeated torus; edges under 1e-5
+    /// h do not count in the plane.
+    std::map<int, int> valences = {};
+    /// Of jobs with a density.
+    std::optional<plane::DensityFigures> density = {};
+    /// Of jobs with areas.
+    std::optional<AreaSummary> areas = {};
+    /// Of jobs with a symmetry: the number of orbits of sites. Else 0.
+    int n_orbits = 0;
+    /// Of jobs with walls: the sites that lie on them.
+    int n_on_walls = 0;
+    /// Of jobs with inclusions.
+    std::optional<InterfaceFigures> interfaces = {};
+    /// Of jobs with phases, one entry each.
+    std::vector<PhaseFigures> phases = {};
+    /// Of jobs with orientations.
+    std::optional<AngleRange> angles = {};
+    /// The materials whose elastic constants the files state.
+    std::vector<NamedConstants> constants = {};
+    /// In the plane, one entry for each mesh of the job.
+    std::vector<plane::TileFigures> tiles = {};
+    /// Of the tile of a job in space.
+    std::optional<PolyhedraFigures> polyhedra = {};
+    /// The files and folders that were written, in the order of the outputs, without the report.
+    std::vector<std::string> files = {};
+    /// The outputs that were not written, in their order.
+    std::vector<RefusedFile> refused = {};
+    /// One line for each set of an earlier run that was finished before this one.
+    std::vector<std::string> recovered = {};
+    StartFigures start = {};
+    JobSeconds seconds = {};
+
+    /// The number of cells with this number of sides.
+    int n_with_sides(int sides) const {
+        const auto entry = valences.find(sides);
+        return entry == valences.end() ? 0 : entry->second;
+    }
+};
+
+}  // namespace pcvt

@@ -1,0 +1,203 @@
+#include "plugin/job/space_world.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "io/formats/file_proof.hpp"
+#include "io/formats/space_file_proof.hpp"
+#include "io/run_files/site_writer.hpp"
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/plane/proof/validate.hpp"
+#include "mesher/space/cvt/coarse_start.hpp"
+#include "mesher/space/mesh/cell_faces.hpp"
+#include "mesher/space/mesh/cell_sites.hpp"
+#include "mesher/space/mesh/short_edges.hpp"
+#include "mesher/space/proof/tetrahedral_proof.hpp"
+#include "mesher/space/search/lattice_pattern.hpp"
+#include "mesher/space/search/lattice_stability.hpp"
+#include "plugin/job/job_start.hpp"
+
+namespace pcvt {
+namespace {
+
+space::Points coarse_points(const Job& job, JobMonitor& monitor) {
+    space::CoarseStartOptions options;
+    options.run.seed = job.seed;
+    options.run.n_threads = job.run.n_threads;
+    options.run.progress = [&](const Progress& progress) {
+        return monitor.start_iteration(progress);
+    };
+    space::Points points = space::coarse_start(job.in_space().lattice, job.n_sites, options);
+    if (points.cols() == 0) throw Cancelled{};
+    return points;
+}
+
+/// The sites of the best lattice, whose figures are noted.
+space::Points lattice_points(const Job& job, StartFigures& figures) {
+    Eigen::Matrix3d period;
+    for (int k = 0; k < 3; ++k) period.col(k) = job.in_space().lattice.periods()[k];
+    const space::LatticePattern pattern = space::best_lattice(period, job.n_sites);
+    const auto& [a, d, f, b, c, e] = pattern.form;
+    figures.pattern = PatternFigures{.basis = pattern.basis,
+                                     .hermite = {a, d, f, b, c, e},
+                                     .energy = pattern.energy,
+                                     .stability = space::lattice_stability(pattern)};
+    return pattern_points(pattern);
+}
+
+space::Points start_points(const Job& job, JobMonitor& monitor, StartFigures& figures) {
+    if (job.n_given() > 0) return job.in_space().points;
+    if (chosen_start(job) == Start::kLattice) return lattice_points(job, figures);
+    if (chosen_start(job) == Start::kCoarse) return coarse_points(job, monitor);
+    return uniform_points(job.in_space().lattice, job.n_sites, job.seed);
+}
+
+/// Names the first of these tetrahedra by its sites.
+std::string flat_in_words(const space::TetrahedralMesh& mesh, const std::vector<int>& flat) {
+    std::string sites;
+    for (const int v : mesh.tetrahedra[flat.front()]) {
+        sites += (sites.empty() ? "" : ", ") + std::to_string(mesh.point_site[v]);
+    }
+    const std::string number = flat.size() == 1
+                                   ? "one tetrahedron of these sites is flat, that of sites "
+                                   : std::to_string(flat.size()) +
+                                         " tetrahedra of these sites are flat, the first that of "
+                                         "sites ";
+    return number + sites +
+           ", which lie in one plane up to rounding, as where more than four sites lie on a sphere";
+}
+
+/// The tetrahedra, if a file holds them.
+std::optional<space::TetrahedralMesh> build_tetrahedra(const space::PeriodicDelaunay& delaunay,
+                                                       const std::vector<JobFile>& files,
+                                                       plane::MeshKind kind, JobMonitor& monitor) {
+    const auto file = std::find_if(files.begin(), files.end(), [&](const JobFile& f) {
+        return f.format->space->shows_tetrahedra(kind);
+    });
+    if (file == files.end()) return {};
+    monitor.begin(Phase::kBuilding, "building the tetrahedra");
+    space::TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
+    const std::vector<int> flat = flat_tetrahedra(mesh, delaunay.sites.n_sites());
+    if (flat.empty()) return mesh;
+    throw InvalidInput("-o " + file->path() + ": " + flat_in_words(mesh, flat) +
+                       "; move the sites a little, or leave " + file->path() + " out");
+}
+
+/// Requires that the boundary is a closed surface, if a file shows it.
+void require_closed_boundary(const Job& job, const std::vector<JobFile>& files,
+                             const space::PolyhedralProof& proof) {
+    if (proof.boundary_is_manifold) return;
+    for (const JobFile& file : files) {
+        if (!file.format->space->shows_boundary(job.file_options.surfaces)) continue;
+        throw InvalidInput("-o " + file.path() +
+                           ": the boundary of this tile touches itself, so that it is no surface; "
+                           "take the surfaces of the cells as .obj, .ply or .glb, or other sites");
+    }
+}
+
+/// What the files of a job hold.
+struct SpaceContent {
+    const SpaceTile& tile;
+    /// The sites in the domain, 3 x n, for .txt files.
+    space::Points points;
+    /// For files of tetrahedra; nothing if there is none.
+    std::optional<space::TetrahedralMesh> tetrahedra;
+    plane::MeshKind mesh;
+    SurfaceForm surfaces;
+
+    std::vector<EncodedFile> encode(const JobFile& file) const {
+        const SpaceFormat& format = *file.format->space;
+        if (format.shows_tetrahedra(mesh)) {
+            return format.encode_tetrahedra(tetrahedra.value(), file.path());
+        }
+        if (format.encode != nullptr) return format.encode(tile, surfaces, file.path());
+        return only_file(file.path(), encode_sites(points));
+    }
+
+    void prove(const JobFile& file, const std::vector<EncodedFile>& encoded) const {
+        const SpaceFormat& format = *file.format->space;
+        if (format.is_picture()) return;
+        if (format.shows_tetrahedra(mesh)) {
+            prove_own_tetrahedra(encoded.front(), tetrahedra.value());
+        } else if (format.encode != nullptr) {
+            prove_own_space_files(encoded, tile);
+        } else {
+            prove_space_site_file(encoded.front(), points);
+        }
+    }
+};
+
+}  // namespace
+
+void SpaceWorld::check_files(const Job& /*job*/, const std::vector<JobFile>& /*files*/,
+                             const std::vector<std::string>& /*phases*/) {}
+
+Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
+    StartFigures figures;
+    const space::Points points = start_points(job, monitor, figures);
+    space::CvtOptions options{job.run};
+    options.run.progress = [&, first = true](const Progress& progress) mutable {
+        // The first call comes once the first triangulation is built and evaluated.
+        if (std::exchange(first, false)) watch.stop(&JobSeconds::build);
+        return monitor.iteration(progress);
+    };
+    watch.stop(&JobSeconds::optimize);
+    space::CvtResult cells = space::compute_cvt(job.in_space().lattice, points, options);
+    if (cells.run.stop == Stop::kCancelled) throw Cancelled{};
+    watch.stop(&JobSeconds::optimize);
+    return {.cells = std::move(cells), .start = std::move(figures), .seconds = watch.seconds()};
+}
+
+SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobFile>& /*files*/,
+                                          const Computation<SpaceWorld>& computation,
+                                          JobMonitor& monitor) {
+    const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
+    monitor.begin(Phase::kBuilding, "building the cells");
+    space::CellComplex complex = cell_complex(delaunay.sites, delaunay.tetrahedra);
+    const std::size_t n_vertices = complex.vertices.size();
+    complex = without_short_edges(std::move(complex), job.tile.short_edges);
+    ProvedSpaceTile built{.tile = {.mesh = polyhedral_mesh(delaunay.sites, complex)}};
+    built.figures.n_removed_edges = static_cast<int>(n_vertices - complex.vertices.size());
+    SpaceTile& tile = built.tile;
+    tile.sites = sites_in_cells(delaunay.sites, tile.mesh);
+    monitor.begin(Phase::kProving, "proving the cells");
+    try {
+        built.figures.proof = prove_polyhedra(tile.mesh);
+        prove_cell_sites(tile.mesh, tile.sites);
+    } catch (const NotATile& error) {
+        throw InternalError(std::string("a tile breaks its laws: ") + error.what());
+    }
+    const space::CellFaces cells(tile.mesh);
+    for (int s = 0; s < cells.n_cells(); ++s) {
+        ++built.face_counts[static_cast<int>(cells[s].size())];
+    }
+    return built;
+}
+
+FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& files,
+                                const Computation<SpaceWorld>& computation,
+                                const TileSource<SpaceWorld>& tiles, JobMonitor& monitor,
+                                RunSummary& summary) {
+    const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
+    const plane::MeshKind kind = job.meshes.front();
+    std::optional<space::TetrahedralMesh> tetrahedra =
+        build_tetrahedra(delaunay, files, kind, monitor);
+    const ProvedSpaceTile& built = tiles(monitor);
+    summary.n_sites = delaunay.sites.n_sites();
+    summary.energy_bound =
+        space::body_centred_energy(job.in_space().lattice.volume(), summary.n_sites);
+    summary.valences = built.face_counts;
+    summary.polyhedra = built.figures;
+    require_closed_boundary(job, files, built.figures.proof);
+    const auto content = std::make_shared<const SpaceContent>(
+        SpaceContent{built.tile, delaunay.sites.positions(), std::move(tetrahedra), kind,
+                     job.file_options.surfaces});
+    return {.encode = [content](const JobFile& file) { return content->encode(file); },
+            .prove =
+                [content](const JobFile& file, const std::vector<EncodedFile>& encoded) {
+                    content->prove(file, encoded);
+                }};
+}
+
+}  // namespace pcvt
