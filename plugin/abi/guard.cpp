@@ -31,6 +31,24 @@ pcvt_status note(pcvt_status status, const char* text, const char* advice = "") 
     return status;
 }
 
+/// Replaces the names of options by those of fields and arguments: --wall-cells by wall_cells.
+void name_fields() {
+    const auto belongs = [](char c) { return ('a' <= c && c <= 'z') || c == '-'; };
+    const char* from = text_of_thread;
+    char* to = text_of_thread;
+    for (bool at_word = true; *from != '\0'; ++from) {
+        if (!at_word || std::strncmp(from, "--", 2) != 0) {
+            at_word = *from == ' ';
+            *to++ = *from;
+            continue;
+        }
+        for (from += 2; belongs(*from); ++from) *to++ = *from == '-' ? '_' : *from;
+        --from;
+        at_word = false;
+    }
+    *to = '\0';
+}
+
 }  // namespace
 
 const char* last_error() { return text_of_thread; }
@@ -56,7 +74,9 @@ pcvt_status note_failure(const std::exception_ptr& exception) noexcept {
     } catch (const UnsuitableCells& error) {
         return note(PCVT_ERROR_GEOMETRY, error.what());
     } catch (const InvalidInput& error) {
-        return note(PCVT_ERROR_ARGUMENT, error.what());
+        note(PCVT_ERROR_ARGUMENT, error.what());
+        name_fields();
+        return PCVT_ERROR_ARGUMENT;
     } catch (const OutputExists& error) {
         return note(PCVT_ERROR_IO, error.what(), "; set replace");
     } catch (const OutputError& error) {

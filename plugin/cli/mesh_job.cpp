@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "io/bytes/extension.hpp"
 #include "plugin/cli/options/command_words.hpp"
@@ -27,20 +28,47 @@ std::ptrdiff_t count_commas(const std::string& text) {
     return std::count(text.begin(), text.end(), ',');
 }
 
-bool means_space(const MeshOptions& options) {
-    return count_commas(options.lattice) == 8 || count_commas(options.period) == 2;
+std::string counted_as_given(std::ptrdiff_t n) {
+    return std::to_string(n) + (n == 1 ? " was given" : " were given");
 }
 
-/// Refuses the options that jobs of the other dimension have.
-/// @param of_dimension  FeatureRow::in_plane or in_space.
-void refuse_foreign_options(const CLI::App& app, bool FeatureRow::*of_dimension,
-                            const char* refusal) {
-    for (const CLI::Option* option : app.get_options()) {
-        const std::string name = option->get_name();
-        const FeatureRow* const feature = find_option(name);
-        if (option->count() == 0 || feature == nullptr || feature->*of_dimension) continue;
-        throw InvalidInput(name + refusal);
+/// Whether the periods are those of space.
+bool means_space(const MeshOptions& options) {
+    const std::ptrdiff_t n_sides = count_commas(options.period) + 1;
+    const std::ptrdiff_t n_coordinates = count_commas(options.lattice) + 1;
+    if (!options.period.empty() && options.period != "auto" && n_sides != 2 && n_sides != 3) {
+        throw InvalidInput("--period " + options.period +
+                           ": takes two numbers W,H, or three in space W,H,D; " +
+                           counted_as_given(n_sides));
     }
+    if (!options.lattice.empty() && n_coordinates != 4 && n_coordinates != 9) {
+        throw InvalidInput("--lattice " + options.lattice +
+                           ": takes the four numbers of two period vectors, or the nine of three "
+                           "in space; " +
+                           counted_as_given(n_coordinates));
+    }
+    return n_sides == 3 || n_coordinates == 9;
+}
+
+/// Refuses the options that jobs of the other dimension have, all at once.
+/// @param of_dimension  FeatureRow::in_plane or in_space.
+/// @param why, remedy   of the message: "for three dimensions", "give W,H,D".
+void refuse_foreign_options(const CLI::App& app, bool FeatureRow::*of_dimension,
+                            const std::string& why, const std::string& remedy) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        const FeatureRow* const feature = find_option(option->get_name());
+        if (option->count() == 0 || feature == nullptr || feature->*of_dimension) continue;
+        names.push_back(option->get_name());
+    }
+    if (names.empty()) return;
+    std::string text = names.front();
+    for (std::size_t k = 1; k < names.size(); ++k) {
+        text += (k + 1 < names.size() ? ", " : " and ") + names[k];
+    }
+    const bool is_one = names.size() == 1;
+    throw InvalidInput(text + (is_one ? " is " : " are ") + why + "; leave " +
+                       (is_one ? "it" : "them") + " out, or " + remedy);
 }
 
 /// The row of a table of choices that a word names, of those that the dimension of the job has.
@@ -215,13 +243,11 @@ void check_space_files(const CLI::App& app, const Job& job) {
 Job make_job(const CLI::App& app, const MeshOptions& options) {
     Job job;
     if (means_space(options)) {
-        refuse_foreign_options(app, &FeatureRow::in_space,
-                               " is not for three dimensions; leave it out, or give two period "
-                               "vectors");
+        refuse_foreign_options(app, &FeatureRow::in_space, "not for three dimensions",
+                               "give two period vectors");
         job.domain = SpaceDomain{chosen_space_lattice(app, options)};
     } else {
-        refuse_foreign_options(app, &FeatureRow::in_plane,
-                               " is for three dimensions; leave it out, or give W,H,D");
+        refuse_foreign_options(app, &FeatureRow::in_plane, "for three dimensions", "give W,H,D");
         if (app.count("--symmetry") > 0) {
             job.symmetry = chosen_row("--symmetry", options.symmetry, plane::kPlaneGroups).name;
         }

@@ -2,8 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <vector>
 
-#include "mesher/base/error.hpp"
 #include "plugin/job/features.hpp"
 
 namespace pcvt {
@@ -44,92 +45,93 @@ constexpr FeatureSet kWithInclusions{F::kInclusions, F::kFibres};
 
 constexpr std::array kContradictions{
     Contradiction{FeatureSet{F::kDensity}, FeatureSet{F::kStartWithEqualCells}, kNone,
-                  "a lattice knows no density; leave the start out, or take coarse or random"},
+                  "--start lattice and best do not work with --density; take coarse or random"},
     Contradiction{FeatureSet{F::kAreas}, FeatureSet{F::kDensity}, kNone,
-                  "cells have prescribed areas or follow a density; leave one of the two out"},
-    Contradiction{
-        FeatureSet{F::kAreas}, FeatureSet{F::kStartWithEqualCells}, kNone,
-        "the cells of a lattice are all alike; leave the start out, or take coarse or random"},
+                  "--areas does not work with --density; leave one of them out"},
+    Contradiction{FeatureSet{F::kAreas}, FeatureSet{F::kStartWithEqualCells}, kNone,
+                  "--start lattice and best do not work with --areas; take coarse or random"},
     Contradiction{FeatureSet{F::kAreas}, FeatureSet{F::kSolver}, kNone,
-                  "prescribed areas have a solver of their own; leave the solver out"},
+                  "--areas has a solver of its own; leave --solver out"},
     Contradiction{FeatureSet{F::kAreas}, FeatureSet{F::kStability}, kNone,
-                  "the stability of prescribed areas is not known; leave one out"},
+                  "--stability does not work with --areas; leave one of them out"},
     Contradiction{FeatureSet{F::kSymmetry}, FeatureSet{F::kGivenSites}, kNone,
-                  "the sites of a symmetry are drawn; leave the sites out, or the symmetry"},
+                  "--symmetry draws its sites; leave the given sites out, or --symmetry"},
     Contradiction{FeatureSet{F::kSymmetry}, FeatureSet{F::kStartWithEqualCells}, kNone,
-                  "a lattice knows no plane group; leave the start out, or take coarse or random"},
+                  "--start lattice and best do not work with --symmetry; take coarse or random"},
     Contradiction{FeatureSet{F::kSymmetry}, FeatureSet{F::kAreas}, kNone,
-                  "cells of prescribed areas have no symmetry; leave one of the two out"},
+                  "--symmetry does not work with --areas; leave one of them out"},
     Contradiction{FeatureSet{F::kHalfCells}, kNone, FeatureSet{F::kHasWalls},
-                  "half cells lie on walls, but there are none; give the walls"},
+                  "--wall-cells half needs walls; add --walls"},
     Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kObliqueLattice}, kNone,
-                  "walls need a rectangle along x and y; give its period as W,H"},
+                  "--walls needs a rectangle along x and y; give the two sides as its period"},
     Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kSymmetry}, kNone,
-                  "sites have walls or a symmetry; leave one of the two out"},
+                  "--walls does not work with --symmetry; leave one of them out"},
     Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kAspect}, kNone,
-                  "elongated cells need a periodic plane; leave them out, or the walls"},
+                  "--aspect does not work with --walls; leave one of them out"},
     Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kStartWithEqualCells}, kNone,
-                  "a lattice knows no walls; leave the start out, or take coarse or random"},
+                  "--start lattice and best do not work with --walls; take coarse or random"},
     Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kStability}, kNone,
-                  "the stability between walls is not known; leave one out"},
+                  "--stability does not work with --walls; leave one of them out"},
     Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kRepeatAcrossWalls}, kNone,
-                  "a tile is not repeated across its walls; repeat it along them"},
+                  "--repeat cannot repeat a tile across its walls; repeat it along them"},
     Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kOriginOffWalls}, kNone,
-                  "walls lie at 0 and at the period; give an origin along the walls only, or none"},
+                  "--origin cannot move the walls, which lie at 0 and at the period; give an "
+                  "origin along the walls, or none"},
     Contradiction{FeatureSet{F::kHalfCells}, FeatureSet{F::kNoIterations}, kNone,
-                  "the sites beside walls move onto them step by step; allow iterations, or take "
-                  "whole cells"},
-    Contradiction{FeatureSet{F::kHasWalls}, FeatureSet{F::kDelaunay}, FeatureSet{F::kHalfCells},
-                  "Delaunay triangles cross the walls unless sites lie on them; take half cells at "
-                  "the walls, or the mesh grains"},
+                  "--wall-cells half moves sites onto the walls step by step; leave "
+                  "--max-iterations 0 out, or take --wall-cells whole"},
+    Contradiction{
+        FeatureSet{F::kHasWalls}, FeatureSet{F::kDelaunay}, FeatureSet{F::kHalfCells},
+        "--mesh delaunay needs sites on the walls; add --wall-cells half, or take --mesh grains"},
     Contradiction{FeatureSet{F::kHoles}, kNone, kWithInclusions,
-                  "holes are inclusions that are left out; give inclusions or fibres"},
+                  "--hole removes cells inside inclusions; add --inclusions or --fibres"},
     Contradiction{kWithFixedSites, FeatureSet{F::kGivenSites}, kNone,
-                  "sites beside fixed ones and inclusions are drawn; give a number of sites "
-                  "instead of their positions"},
-    Contradiction{kWithFixedSites, FeatureSet{F::kSymmetry}, kNone,
-                  "fixed sites and inclusions have no symmetry; leave one of the two out"},
-    Contradiction{kWithFixedSites, FeatureSet{F::kAreas}, kNone,
-                  "cells of prescribed areas have neither fixed sites nor inclusions; leave the "
-                  "areas out"},
+                  "--fixed, --inclusions and --fibres work with drawn sites only; give a number of "
+                  "sites in place of their positions"},
+    Contradiction{
+        kWithFixedSites, FeatureSet{F::kSymmetry}, kNone,
+        "--symmetry does not work with --fixed, --inclusions or --fibres; leave one of them out"},
+    Contradiction{
+        kWithFixedSites, FeatureSet{F::kAreas}, kNone,
+        "--areas does not work with --fixed, --inclusions or --fibres; leave one of them out"},
     Contradiction{kWithFixedSites, FeatureSet{F::kStartNotRandom}, kNone,
-                  "sites beside fixed ones and inclusions start at random; leave the start out"},
-    Contradiction{kWithFixedSites, FeatureSet{F::kStability}, kNone,
-                  "the stability with fixed sites or inclusions is not known; leave one out"},
+                  "--fixed, --inclusions and --fibres start at random; leave --start out"},
+    Contradiction{
+        kWithFixedSites, FeatureSet{F::kStability}, kNone,
+        "--stability does not work with --fixed, --inclusions or --fibres; leave one of them out"},
     Contradiction{FeatureSet{F::kFixed}, FeatureSet{F::kHasWalls}, kNone,
-                  "fixed sites need a plane that is periodic along both directions; leave the "
-                  "walls out"},
+                  "--fixed does not work with --walls; leave one of them out"},
     Contradiction{FeatureSet{F::kInclusions}, FeatureSet{F::kFibres}, kNone,
-                  "fibres are inclusions in random places; leave one of the two out"},
+                  "--fibres does not work with --inclusions; leave one of them out"},
     Contradiction{kWithInclusions, FeatureSet{F::kFixed}, kNone,
-                  "inclusions have fixed sites of their own; leave one of the two out"},
+                  "--inclusions and --fibres have fixed sites of their own; leave --fixed out"},
     Contradiction{kWithInclusions, FeatureSet{F::kAspect}, kNone,
-                  "cells beside inclusions are not elongated; leave the aspect out"},
+                  "--aspect does not work with --inclusions or --fibres; leave one of them out"},
     Contradiction{kWithInclusions, FeatureSet{F::kPhases}, kNone,
-                  "the tags of inclusions are the phases of their cells; leave the phases out"},
+                  "--phases does not work with --inclusions or --fibres, whose tags are the "
+                  "phases; leave it out"},
     Contradiction{kWithInclusions, FeatureSet{F::kOrientations}, kNone,
                   "--orientations gives each cell a crystal of its own, but inclusions and the "
-                  "matrix consist of many cells each; leave the orientations out"},
+                  "matrix consist of many cells each; leave it out"},
     Contradiction{FeatureSet{F::kStability}, FeatureSet{F::kDensity}, kNone,
-                  "the stability of a run with a density is not known; leave one out"},
-    Contradiction{FeatureSet{F::kOutline}, FeatureSet{F::kDelaunay}, kNone,
-                  "the box outline would cut Delaunay triangles, and cut ones are none; take the "
-                  "mesh grains with the box outline, or the whole outline"},
+                  "--stability does not work with --density; leave one of them out"},
+    Contradiction{
+        FeatureSet{F::kOutline}, FeatureSet{F::kDelaunay}, kNone,
+        "--outline box cannot cut Delaunay triangles; take --mesh grains, or --outline whole"},
     Contradiction{FeatureSet{F::kGrainSize}, FeatureSet{F::kGrainPerEdge}, kNone,
-                  "grains have a size and parts of an edge; take one of the two"},
+                  "--size does not work with --per-edge; leave one of them out"},
     Contradiction{FeatureSet{F::kRetry}, FeatureSet{F::kGivenSites, F::kStartAtLattice}, kNone,
                   "--retry takes other seeds, but these sites have none; leave it out"},
     Contradiction{FeatureSet{F::kColourByDensity}, kNone, FeatureSet{F::kDensity},
-                  "there is no density to show in colours; give one, or colour by size"},
-    Contradiction{FeatureSet{F::kColourByPhase}, kNone,
-                  FeatureSet{F::kPhases, F::kInclusions, F::kFibres},
-                  "there are no phases to show in colours; give some, or colour by size"},
+                  "--colour density needs --density; add it, or take --colour size"},
+    Contradiction{
+        FeatureSet{F::kColourByPhase}, kNone, FeatureSet{F::kPhases, F::kInclusions, F::kFibres},
+        "--colour phase needs --phases or --inclusions; add one of them, or take --colour size"},
     Contradiction{FeatureSet{F::kColourByOrbit}, kNone, FeatureSet{F::kSymmetry},
-                  "there is no symmetry whose orbits colours could show; give one, or colour by "
-                  "cells"},
-    Contradiction{FeatureSet{F::kColourByTag}, kNone, kWithInclusions,
-                  "there are no inclusions whose tags colours could show; give some, or colour by "
-                  "size"}};
+                  "--colour orbit needs --symmetry; add it, or take --colour cells"},
+    Contradiction{
+        FeatureSet{F::kColourByTag}, kNone, kWithInclusions,
+        "--colour tag needs --inclusions or --fibres; add one of them, or take --colour size"}};
 
 FeatureSet chosen_features(const Job& job) {
     FeatureSet chosen;
@@ -139,14 +141,27 @@ FeatureSet chosen_features(const Job& job) {
     return chosen;
 }
 
+/// All contradictions of a job, numbered where there are several; empty if there is none.
+std::string contradictions_of(const Job& job) {
+    const FeatureSet chosen = chosen_features(job);
+    std::vector<const char*> messages;
+    for (const auto& [these, those, unless, message] : kContradictions) {
+        const bool meets = chosen.meets(these) && (those.is_empty() || chosen.meets(those));
+        if (meets && !chosen.meets(unless)) messages.push_back(message);
+    }
+    if (messages.size() == 1) return messages.front();
+    std::string text;
+    for (std::size_t k = 0; k < messages.size(); ++k) {
+        text += (k == 0 ? "(" : "; (") + std::to_string(k + 1) + ") " + messages[k];
+    }
+    return text;
+}
+
 }  // namespace
 
 void require_compatible(const Job& job) {
-    const FeatureSet chosen = chosen_features(job);
-    for (const auto& [these, those, unless, message] : kContradictions) {
-        const bool meets = chosen.meets(these) && (those.is_empty() || chosen.meets(those));
-        if (meets && !chosen.meets(unless)) throw InvalidInput(message);
-    }
+    const std::string text = contradictions_of(job);
+    if (!text.empty()) throw ContradictoryOptions(text);
 }
 
 }  // namespace pcvt

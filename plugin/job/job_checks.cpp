@@ -86,7 +86,7 @@ void check_stability(const Job& job) {
     const int most =
         job.is_in_space() ? space::kMostSitesForMinimum : plane::kMostSitesForStability;
     if (!job.stability || job.n_wanted() <= most) return;
-    throw InvalidInput("the stability is known of at most " + std::to_string(most) + " sites" +
+    throw InvalidInput("--stability supports at most " + std::to_string(most) + " sites" +
                        (job.is_in_space() ? " in space" : "") +
                        "; leave it out, or take fewer sites");
 }

@@ -29,7 +29,8 @@ std::string nearest_extension(const std::string& extension) {
     return meant.empty() ? meant : "." + meant;
 }
 
-[[noreturn]] void refuse_extension(const std::string& path) {
+/// @param known  the extensions that the job may have.
+[[noreturn]] void refuse_extension(const std::string& path, const std::string& known) {
     const std::string extension = lower_case_extension(path);
     if (const std::string meant = nearest_extension(extension); !meant.empty()) {
         throw InvalidInput("-o " + path + ": unknown extension " + extension + "; did you mean " +
@@ -37,7 +38,22 @@ std::string nearest_extension(const std::string& extension) {
     }
     throw InvalidInput("-o " + path + ": " +
                        (extension.empty() ? "no extension" : "unknown extension " + extension) +
-                       "; take one of " + output_extensions());
+                       "; take one of " + known);
+}
+
+/// The format of an output, whose path its programs can open.
+const Format& format_of(const Job& job, const std::string& path) {
+    const Format* const format = find_format(path);
+    if (format == nullptr) {
+        refuse_extension(path, job.is_in_space() ? space_extensions() : output_extensions());
+    }
+    if (format->check_path == nullptr) return *format;
+    try {
+        format->check_path(path);
+    } catch (const InvalidInput& error) {
+        throw InvalidInput("-o " + path + ": " + error.what());
+    }
+    return *format;
 }
 
 std::string kind_suffix(plane::MeshKind kind) {
@@ -72,26 +88,22 @@ void check_format(const Job& job, const Format& format, plane::MeshKind kind,
 }
 
 void add_output(const Job& job, const std::string& path, std::vector<JobFile>& files) {
-    const Format* format = find_format(path);
-    if (format == nullptr) refuse_extension(path);
-    if (format->check_path != nullptr) {
-        try {
-            format->check_path(path);
-        } catch (const InvalidInput& error) {
-            throw InvalidInput("-o " + path + ": " + error.what());
-        }
+    const Format& format = format_of(job, path);
+    if (job.is_in_space()) {
+        files.push_back(space_file(job, format, path));
+        return;
     }
-    if (!format->needs_tile()) {
-        check_format(job, *format, plane::MeshKind::kVoronoi, path);
-        files.push_back({format->paths(path), format});
+    if (!format.needs_tile()) {
+        check_format(job, format, plane::MeshKind::kVoronoi, path);
+        files.push_back({format.paths(path), &format});
         return;
     }
     for (std::size_t m = 0; m < job.meshes.size(); ++m) {
-        check_format(job, *format, job.meshes[m], path);
+        check_format(job, format, job.meshes[m], path);
         const std::string suffix = job.meshes.size() > 1 ? kind_suffix(job.meshes[m]) : "";
         const std::string name = with_suffix(path, suffix);
-        files.push_back({format->paths(name), format, static_cast<int>(m),
-                         format->is_folder ? name : std::string()});
+        files.push_back({format.paths(name), &format, static_cast<int>(m),
+                         format.is_folder ? name : std::string()});
     }
 }
 
@@ -193,13 +205,7 @@ std::string with_suffix(const std::string& path, const std::string& suffix) {
 
 std::vector<JobFile> plan_files(const Job& job) {
     std::vector<JobFile> files;
-    for (const std::string& path : job.outputs) {
-        if (job.is_in_space()) {
-            files.push_back(space_file(job, without_slash(path)));
-        } else {
-            add_output(job, without_slash(path), files);
-        }
-    }
+    for (const std::string& path : job.outputs) add_output(job, without_slash(path), files);
     DistinctPaths book;
     for (const std::string& path : job.inputs) book.add_input(path);
     for (const JobFile& file : files) {

@@ -26,34 +26,27 @@ void require_precision(const Job& job, const std::string& path) {
 
 }  // namespace
 
-JobFile space_file(const Job& job, const std::string& path) {
+JobFile space_file(const Job& job, const Format& format, const std::string& path) {
     const plane::MeshKind mesh = job.meshes.front();
-    const Format* const format = find_format(path);
-    if (format == nullptr || !format->space) {
-        throw InvalidInput("-o " + path + ": the format holds no volumes; take " +
-                           space_extensions() + ", or give two period vectors");
+    if (!format.space) {
+        throw InvalidInput("-o " + path + ": " + std::string(format.extension) +
+                           " does not support three dimensions; take " + space_extensions() +
+                           ", or give two period vectors");
     }
-    if (format->check_path != nullptr) {
-        try {
-            format->check_path(path);
-        } catch (const InvalidInput& error) {
-            throw InvalidInput("-o " + path + ": " + error.what());
-        }
-    }
-    if (mesh == plane::MeshKind::kDelaunay && format->space->encode != nullptr &&
-        format->space->encode_tetrahedra == nullptr) {
+    if (mesh == plane::MeshKind::kDelaunay && format.space->encode != nullptr &&
+        format.space->encode_tetrahedra == nullptr) {
         throw InvalidInput("-o " + path + ": the format holds no tetrahedra; take " +
                            tetrahedra_extensions() + ", or write the cells in a run of their own");
     }
-    if (job.tile.short_edges > 0 && !format->space->takes_short_edges(mesh)) {
+    if (job.tile.short_edges > 0 && !format.space->takes_short_edges(mesh)) {
         throw InvalidInput("-o " + path +
                            ": such files cannot say that short edges were removed; take " +
                            short_edges_extensions() + " with the cells");
     }
-    if (format->is_single_precision) require_precision(job, path);
-    return {.paths = format->space->paths(path),
-            .format = format,
-            .folder = format->is_folder ? path : std::string()};
+    if (format.is_single_precision) require_precision(job, path);
+    return {.paths = format.space->paths(path),
+            .format = &format,
+            .folder = format.is_folder ? path : std::string()};
 }
 
 }  // namespace pcvt
