@@ -63,6 +63,7 @@ inline constexpr std::array kWriteFields{
     FieldRow<pcvt_write_options>{"gltf_nodes", differ_in<&pcvt_write_options::gltf_nodes>},
     FieldRow<pcvt_write_options>{"single_precision",
                                  differ_in<&pcvt_write_options::single_precision>},
+    FieldRow<pcvt_write_options>{"surface", differ_in<&pcvt_write_options::surface>},
     FieldRow<pcvt_write_options>{"pixels", differ_in<&pcvt_write_options::pixels>},
     FieldRow<pcvt_write_options>{"voxels", differ_in<&pcvt_write_options::voxels>},
     FieldRow<pcvt_write_options>{"voxel_layers", differ_in<&pcvt_write_options::voxel_layers>},

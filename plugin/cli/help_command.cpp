@@ -13,6 +13,7 @@
 #include "mesher/base/error.hpp"
 #include "plugin/cli/manual/manual_page.hpp"
 #include "plugin/cli/manual/shell_completion.hpp"
+#include "plugin/cli/option_list.hpp"
 #include "plugin/cli/options/option_values.hpp"
 #include "plugin/job/version.hpp"
 
@@ -103,14 +104,30 @@ std::string man_text(const CLI::App& app, const std::string& name) {
     refuse_topic(name, names, "--man takes a command, or none");
 }
 
-/// A shell and its script, which completes the command line; a table of choices.
-struct ShellRow {
+std::string mesh_options_json(const std::vector<CommandWords>& commands) {
+    const CommandWords* const mesh =
+        find_row(commands, [](const CommandWords& command) { return command.name == "mesh"; });
+    return options_json(mesh->options);
+}
+
+/// A text that programs read; a row of a table of choices.
+struct TextRow {
     const char* word;
     int abi_value;
-    std::string (*script)(const std::vector<CommandWords>& commands);
+    std::string (*text)(const std::vector<CommandWords>& commands);
 };
-constexpr std::array kShells{ShellRow{"bash", 0, bash_completion},
-                             ShellRow{"zsh", 1, zsh_completion}};
+constexpr std::array kShells{TextRow{"bash", 0, bash_completion},
+                             TextRow{"zsh", 1, zsh_completion}};
+constexpr std::array kForms{TextRow{"json", 0, mesh_options_json}};
+
+template <class Table>
+std::string chosen_text(const std::string& option, const std::string& word, const Table& table,
+                        const CLI::App& app, const HelpOptions& options) {
+    if (options.man || !options.topic.empty()) {
+        throw InvalidInput(option + " takes neither a topic nor --man; leave them out");
+    }
+    return chosen_row(option, word, table).text(option_tables(app));
+}
 
 constexpr const char* kTopics = "mesh|pattern|study|check|density|formats";
 
@@ -127,15 +144,17 @@ void add_help_options(CLI::App& app, HelpOptions& options) {
     app.add_flag("--man", options.man, "the page of a command, or of pcvt, for man");
     app.add_option("--completion", options.shell, "the script that completes the command line")
         ->type_name(listed_words(kShells, "|", "|"));
+    app.add_option("--options", options.form,
+                   "the options of pcvt mesh for programs: words, fields of pcvt.h, dimensions\n"
+                   "and formats of each")
+        ->type_name(listed_words(kForms, "|", "|"));
 }
 
 std::string help_text(const CLI::App& app, const HelpOptions& options) {
     if (!options.shell.empty()) {
-        if (options.man || !options.topic.empty()) {
-            throw InvalidInput("--completion takes neither a topic nor --man; leave them out");
-        }
-        return chosen_row("--completion", options.shell, kShells).script(option_tables(app));
+        return chosen_text("--completion", options.shell, kShells, app, options);
     }
+    if (!options.form.empty()) return chosen_text("--options", options.form, kForms, app, options);
     return options.man ? man_text(app, options.topic) : topic_text(app, options.topic);
 }
 

@@ -19,6 +19,8 @@ struct HelpOptions {
     bool man = false;
     /// The shell whose completion is wanted; empty: none.
     std::string shell;
+    /// The form in which the options of `pcvt mesh` are wanted; empty: none.
+    std::string form;
 };
 
 /// Adds the arguments of `pcvt help [COMMAND|density|formats]`; parsing fills `options`.

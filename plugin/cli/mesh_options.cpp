@@ -4,12 +4,12 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <thread>
 
 #include "io/bytes/extension.hpp"
 #include "plugin/cli/help_command.hpp"
+#include "plugin/cli/option_list.hpp"
 #include "plugin/cli/options/command_words.hpp"
 #include "plugin/cli/options/mesh_examples.hpp"
 #include "plugin/cli/options/option_values.hpp"
@@ -52,9 +52,9 @@ std::string start_help() {
 }
 
 std::string solver_help() {
-    std::string text;
+    std::string text = "the method";
     for (const SolverRow& row : kSolvers) {
-        if (*row.help != '\0') text += (text.empty() ? "" : "; ") + std::string(row.help);
+        if (*row.help != '\0') text += std::string("; ") + row.help;
     }
     return text + " [" + solver_row(Job().run.solver).word + "]";
 }
@@ -72,7 +72,7 @@ std::string mesh_suffixes() { return "-" + listed_words(plane::kMeshKinds, ", -"
 void add_site_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Sites and lattice");
     add(app, "--sites", options.sites, "N", "N sites, 1 to 268435456, placed by --start");
-    add(app, "--seed", options.seed, "S", "of the random numbers [0]");
+    add(app, "--seed", options.seed, "S", "the seed of the random numbers [0]");
     add(app, "--retry", options.retry, "K",
         "take the next seed, at most K times, while an output refuses the cells\n(.nc: obtuse "
         "triangles) [0]");
@@ -83,8 +83,9 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
         "sites of a file within 1e-9 h of an earlier one: refuse names all of\n"
         "their lines, drop leaves them out [refuse]");
     add(app, "--period", options.period, "W,H|auto",
-        "a rectangle [1,1]; W,H,D: a box in space; auto: a square of the sum of\n"
-        "the areas of --areas FILE, or 1,H with the aspect of --density FILE.png");
+        "the sides of a rectangle [1,1]; W,H,D: of a box in space; auto: a square\n"
+        "of the sum of the areas of --areas FILE, or 1,H with the aspect of\n"
+        "--density FILE.png");
     add(app, "--lattice", options.lattice, "AX,AY,BX,BY",
         "two independent period vectors; nine numbers: three, in space");
     add(app, "--symmetry", options.symmetry, "GROUP",
@@ -107,30 +108,31 @@ void add_solver_options(CLI::App& app, MeshOptions& options) {
         "converged once max |x_i - g_i| / h <= T; x_i: site i, g_i: centroid\nof its cell, h = "
         "sqrt(area / n) [1e-6]");
     add(app, "--max-iterations", options.max_iterations, "K",
-        "0: the Voronoi diagram of the sites as given; with --areas, steps\n"
-        "that move each site to the centroid of its cell: 0 keeps the sites,\n"
-        "5 gives round grains [no limit]");
+        "the most iterations; 0: the Voronoi diagram of the sites as given;\n"
+        "with --areas, steps that move each site to the centroid of its cell:\n"
+        "0 keeps the sites, 5 gives round grains [no limit]");
     app.add_flag("--strict", options.strict,
                  "write the files, but exit with 5 if the run did not converge");
     app.add_flag("--stability", options.stability,
                  "answer whether the sites end at a minimum of the energy: up to\n"
                  "10000 sites (2000 in space), without a density; takes up to three times the\n"
                  "optimisation");
-    add(app, "--threads", options.threads, "N", "the result does not depend on it [all cores]");
+    add(app, "--threads", options.threads, "N",
+        "the number of threads, on which the result does not depend\n[all cores]");
 }
 
 void add_output_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Output");
     app.add_option("--mesh", options.meshes,
-                   "repeatable [voronoi]; grains: triangles inside of cells; with\n"
-                   "several, " +
+                   "the faces, repeatable [voronoi]; grains: triangles inside of cells;\n"
+                   "with several, " +
                        mesh_suffixes() + " precede the extension")
         ->type_name("KIND")
         ->option_text(form_of(plane::kMeshKinds))
         ->allow_extra_args(false);
     add(app, "--outline", options.outline, form_of(kOutlines),
-        "whole: no cell is cut; box: cut along the period vectors at\n"
-        "--origin [whole]");
+        "the boundary of the tile; whole: no cell is cut; box: cut along the\n"
+        "period vectors at --origin [whole]");
     add(app, "--size", options.size, "H", "length of the edges of grains [h / 3]");
     add(app, "--per-edge", options.per_edge, "K",
         "cut each edge of the cells into K parts, grains inside to match,\n"
@@ -142,7 +144,7 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
         "for .vtu and .foam [0]");
     add(app, "--repeat", options.repeat, "IxJ", "a tile of I x J domains [1x1]");
     app.add_option("-o", options.outputs,
-                   "repeatable; none: only the summary; the extension decides:\n" +
+                   "an output, repeatable; none: only the summary; the extension decides:\n" +
                        wrapped(output_extensions()) +
                        "\n(.txt: the sites, in the order of the input)")
         ->type_name("FILE")
@@ -164,6 +166,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_solver_options(app, options);
     add_material_options(app, options.materials);
     add_output_options(app, options);
+    mark_dimensions(app);
     app.footer(kMeshExamples);
 }
 

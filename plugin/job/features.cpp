@@ -233,12 +233,41 @@ constexpr std::array kFeatures{
                .is_chosen = [](const Job& job) { return job.file_options.thickness != 0; },
                .in_files = "a thickness",
                .taken = &Format::takes_thickness},
-    FeatureRow{.feature = F::kSurface, .option = "--surface", .in_plane = false, .in_space = true}};
+    FeatureRow{.feature = F::kSurface,
+               .option = "--surface",
+               .fields = "surface",
+               .in_plane = false,
+               .in_space = true}};
 
-/// Whether the words of a text, with blanks between them, contain a word.
-bool holds_word(std::string_view words, std::string_view word) {
-    const std::string padded = " " + std::string(words) + " ";
-    return padded.find(" " + std::string(word) + " ") != std::string::npos;
+/// The fields of an option that every job can have.
+struct CommonRow {
+    std::string_view option;
+    std::string_view fields;
+};
+constexpr std::array kCommon{CommonRow{"--sites", "n_sites sites"},
+                             CommonRow{"--input", "sites"},
+                             CommonRow{"--seed", "seed"},
+                             CommonRow{"--duplicates", "duplicates"},
+                             CommonRow{"--period", "lattice lattice3"},
+                             CommonRow{"--lattice", "lattice lattice3"},
+                             CommonRow{"--start", "start"},
+                             CommonRow{"--solver", "solver"},
+                             CommonRow{"--tolerance", "tolerance"},
+                             CommonRow{"--max-iterations", "max_iterations"},
+                             CommonRow{"--threads", "n_threads"},
+                             CommonRow{"--short-edges", "short_edges"},
+                             CommonRow{"--mesh", "kind"},
+                             CommonRow{"--report", "report"},
+                             CommonRow{"--force", "replace"}};
+
+/// The words of a text with blanks between them.
+std::vector<std::string_view> split(std::string_view text) {
+    std::vector<std::string_view> words;
+    while (!text.empty()) {
+        words.push_back(text.substr(0, text.find(' ')));
+        text.remove_prefix(std::min(text.size(), words.back().size() + 1));
+    }
+    return words;
 }
 
 }  // namespace
@@ -253,9 +282,17 @@ const FeatureRow* find_option(std::string_view option) {
 
 const FeatureRow* find_field(std::string_view field) {
     const auto* row = std::find_if(kFeatures.begin(), kFeatures.end(), [&](const FeatureRow& r) {
-        return holds_word(r.fields, field);
+        const std::vector<std::string_view> fields = split(r.fields);
+        return std::find(fields.begin(), fields.end(), field) != fields.end();
     });
     return row == kFeatures.end() ? nullptr : row;
+}
+
+std::vector<std::string_view> option_fields(std::string_view option) {
+    if (const FeatureRow* row = find_option(option)) return split(row->fields);
+    const auto* const row = std::find_if(kCommon.begin(), kCommon.end(),
+                                         [&](const CommonRow& r) { return r.option == option; });
+    return row == kCommon.end() ? std::vector<std::string_view>() : split(row->fields);
 }
 
 }  // namespace pcvt

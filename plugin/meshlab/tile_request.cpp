@@ -6,11 +6,21 @@
 #include <string_view>
 #include <vector>
 
+#include "plugin/meshlab/words.hpp"
+
 namespace pcvt::meshlab {
 namespace {
 
 /// The values of the parameter "select".
 enum Selection { kSelectNothing, kSelectVertices, kSelectFaces, kSelectBoth };
+
+/// The words of a table as the entries of a parameter, whose value is the number of the word.
+template <class Words>
+QStringList entries(const Words& words) {
+    QStringList list;
+    for (const char* word : words) list << word;
+    return list;
+}
 
 void add_sites(RichParameterList& list) {
     list.addParam(RichInt("sites", 300, "Sites", "How many cells one period has."));
@@ -19,9 +29,9 @@ void add_sites(RichParameterList& list) {
                              "independent vectors."));
     list.addParam(RichInt("seed", 0, "Random seed", "Same seed, same tile."));
     list.addParam(
-        RichEnum("start", PCVT_START_DEFAULT,
-                 {"Default", "Random", "Coarse to fine", "Disturbed lattice", "Best of a search"},
-                 "Start", "Where the sites are before they are optimised."));
+        RichEnum("start", PCVT_START_DEFAULT, entries(kStartWords), "Start",
+                 "Where the sites are before they are optimised; coarse: from coarse to fine; "
+                 "lattice: on a disturbed lattice; best: after a search."));
     list.addParam(RichString("density", "", "Density",
                              "A positive formula in x, y (length) and u, v (0 to 1 along the "
                              "period vectors), or the name of a .png file; cells are small where "
@@ -29,11 +39,12 @@ void add_sites(RichParameterList& list) {
 }
 
 void add_tile(RichParameterList& list) {
-    list.addParam(RichEnum("mesh", PCVT_VORONOI,
-                           {"Voronoi cells", "Delaunay triangles", "Triangles inside of cells"},
-                           "Mesh", "Cells are polygons: fans of triangles with hidden edges."));
-    list.addParam(RichEnum("outline", PCVT_WHOLE, {"Whole cells", "Parallelogram"}, "Outline",
-                           "Whether no cell is cut, or the tile is cut along the period "
+    list.addParam(
+        RichEnum("mesh", PCVT_VORONOI, entries(kMeshWords), "Mesh",
+                 "Voronoi cells are polygons: fans of triangles with hidden edges. Grains "
+                 "are triangles inside of cells."));
+    list.addParam(RichEnum("outline", PCVT_WHOLE, entries(kOutlineWords), "Outline",
+                           "Whether no cell is cut, or the tile is a box, cut along the period "
                            "parallelogram. Delaunay triangles are never cut."));
     list.addParam(RichFloat("grainSize", 0, "Size of triangles inside of cells",
                             "Edge length; 0: chosen by pcvt."));

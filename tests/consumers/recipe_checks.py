@@ -63,6 +63,11 @@ def check_tiles(folder, text):
     require("areas of 60 cells" in text, "check does not compare the areas")
 
 
+def check_options(folder, text):
+    require_files(folder, "options.json")
+    require("'number': 4, 'plane': True, 'space': False" in text, "--start best is for the plane only")
+
+
 def check_rosette(folder, text):
     require_files(folder, "rosette.svg")
     require("rosette.vtu: a periodic tile" in text, "check does not accept rosette.vtu")
@@ -323,6 +328,7 @@ ROWS = {
     ("Install", "From the sources"): Row(reason="tests/install/run installs pcvt and builds against it"),
     ("Install", "Packages"): Row(reason="tests/install/packages makes the packages and uses them"),
     ("First mesh", "Make a tile"): Row(check_first_mesh),
+    ("Options", "Options for programs"): Row(check_options),
     ("Checking files", "Check a file"): Row(check_tiles),
     ("Densities", ""): Row(),
     ("Densities", "Formulas and pictures"): Row(check_graded),

@@ -4,7 +4,13 @@ import bpy
 from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, StringProperty
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
+from . import words
 from .preferences import Missing, load_pcvt
+
+
+def labelled(choices, **labels):
+    """The items of a property: each word with its label and its description, or with itself as both."""
+    return [(word, *labels.get(word, (word, word))) for word in choices]
 
 
 class ShownProgress:
@@ -45,13 +51,13 @@ class AddPeriodicTile(bpy.types.Operator, AddObjectHelper):
                                   description="The tile repeats when it is moved by this vector")
     period_b: FloatVectorProperty(name="Period B", size=2, default=(0, 2), unit="LENGTH",
                                   description="The tile repeats when it is moved by this vector")
-    kind: EnumProperty(name="Faces", items=[
-        ("voronoi", "Cells", "Voronoi cells, most of them hexagons"),
-        ("delaunay", "Triangles", "Delaunay triangles between the centres of the cells"),
-        ("grains", "Meshed Cells", "Cells, each of them filled with small triangles")])
-    outline: EnumProperty(name="Outline", items=[
-        ("whole", "Whole Cells", "No cell is cut; triangles never are"),
-        ("box", "Straight", "Cells are cut along the two periods")])
+    kind: EnumProperty(name="Faces", items=labelled(
+        words.MESH, voronoi=("Cells", "Voronoi cells, most of them hexagons"),
+        delaunay=("Triangles", "Delaunay triangles between the centres of the cells"),
+        grains=("Meshed Cells", "Cells, each of them filled with small triangles")))
+    outline: EnumProperty(name="Outline", items=labelled(
+        words.OUTLINE, whole=("Whole Cells", "No cell is cut; triangles never are"),
+        box=("Straight", "Cells are cut along the two periods")))
     colours: EnumProperty(name="Materials", items=[
         ("cells", "By Cell", "Seven, so that neighbours differ, also across the seam"),
         ("sides", "By Sides", "One for each number of sides that a cell can have"),

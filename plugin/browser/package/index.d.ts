@@ -1,6 +1,6 @@
-export type Symmetry =
-    | 'p1' | 'p2' | 'pm' | 'pg' | 'cm' | 'pmm' | 'pmg' | 'pgg' | 'cmm' | 'p4' | 'p4m' | 'p4g' | 'p3'
-    | 'p3m1' | 'p31m' | 'p6' | 'p6m';
+import type * as words from './words.js';
+
+export type Symmetry = words.Symmetry;
 
 export interface Progress {
     iteration: number;
@@ -32,17 +32,17 @@ export interface MeshOptions {
     areas?: string | ArrayLike<number>;
     aspect?: number | [ratio: number, degrees: number];
     symmetry?: Symmetry;
-    walls?: 'x' | 'y' | 'xy';
-    wallCells?: 'whole' | 'half';
+    walls?: words.Walls;
+    wallCells?: words.WallCells;
     fixed?: ArrayLike<number>;
     /** Given sites within 1e-9 h of an earlier one: an error that names them all, or left out. */
-    duplicates?: 'refuse' | 'drop';
+    duplicates?: words.Duplicates;
     inclusions?: string;
     fibres?: string | ArrayLike<number>;
     hole?: string | string[];
     phases?: string;
-    start?: 'random' | 'coarse' | 'lattice' | 'best';
-    solver?: 'lbfgs' | 'lloyd' | 'newton';
+    start?: words.Start;
+    solver?: words.Solver;
     tolerance?: number;
     maxIterations?: number;
     repeat?: [columns: number, rows: number];
@@ -57,14 +57,14 @@ export interface MeshOptions {
 }
 
 export interface WriteOptions {
-    mesh?: 'voronoi' | 'delaunay' | 'grains';
-    outline?: 'whole' | 'box';
-    colour?: 'sides' | 'size' | 'cells' | 'density' | 'phase' | 'orbit' | 'tag';
-    glbNodes?: 'cells' | 'one';
+    mesh?: words.Mesh;
+    outline?: words.Outline;
+    colour?: words.Colour;
+    glbNodes?: words.GlbNodes;
     float32?: boolean;
     pixels?: number;
     /** In three dimensions: every cell, or the boundary of the tile. */
-    surface?: 'cells' | 'boundary';
+    surface?: words.Surface;
 }
 
 export interface Result {

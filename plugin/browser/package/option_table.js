@@ -1,6 +1,7 @@
 // The options of mesh() and write(): names of the command's long options in camelCase. Each entry checks a
-// value, with the command's message, and says which field of the C interface takes it. The words of a choice are
-// in the order of their numbers in pcvt.h.
+// value, with the command's message, and says which field of the C interface takes it.
+
+import { words } from './words.js';
 
 const flag = (name) => `--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
 
@@ -34,10 +35,10 @@ const positive = (field) => (name, value) => {
 
 const anyOf = (words) => words.slice(0, -1).join(', ') + (words.length > 1 ? ' or ' : '') + words.at(-1);
 
-const choice = (field, first, words) => (name, value) => {
-    const k = words.indexOf(value);
-    if (k < 0) refuse(name, value, `unknown; take ${anyOf(words)}`);
-    return { field, value: first + k };
+/** One of the words of an option, whose field has the number of the word in pcvt.h. */
+const choice = (field, numbersOfWords) => (name, value) => {
+    if (!Object.hasOwn(numbersOfWords, value)) refuse(name, value, `unknown; take ${anyOf(Object.keys(numbersOfWords))}`);
+    return { field, value: numbersOfWords[value] };
 };
 
 const numbers = (field, counts, form) => (name, value) => {
@@ -57,9 +58,6 @@ const text = (field) => (name, value) => {
 
 /** The largest number of sites. */
 export const mostSites = 268435456;
-
-const symmetries =
-    'p1 p2 pm pg cm pmm pmg pgg cmm p4 p4m p4g p3 p3m1 p31m p6 p6m'.split(' ');
 
 function sites(name, value) {
     if (typeof value === 'number') return whole('n_sites', 1, mostSites)(name, value);
@@ -133,30 +131,30 @@ export const runOptions = {
     repeat,
     density: text('density_source'),
     fixed: numbers('fixed_sites'),
-    duplicates: choice('duplicates', 0, ['refuse', 'drop']),
+    duplicates: choice('duplicates', words.duplicates),
     inclusions: text('inclusions'),
     maxIterations: whole('max_iterations', 0, 2147483647),
-    order: choice('grain_order', 1, [1, 2]),
+    order: whole('grain_order', 1, 2),
     perEdge: whole('grain_per_edge', 1, 2147483647),
     phases: text('phases'),
     shortEdges: positive('short_edges'),
     size: positive('grain_size'),
-    solver: choice('solver', 1, ['lbfgs', 'lloyd', 'newton']),
-    start: choice('start', 1, ['random', 'coarse', 'lattice', 'best']),
-    symmetry: choice('symmetry', 1, symmetries),
+    solver: choice('solver', words.solver),
+    start: choice('start', words.start),
+    symmetry: choice('symmetry', words.symmetry),
     tolerance: positive('tolerance'),
-    wallCells: choice('wall_cells', 0, ['whole', 'half']),
-    walls: choice('walls', 1, ['x', 'y', 'xy']),
+    wallCells: choice('wall_cells', words.wallCells),
+    walls: choice('walls', words.walls),
 };
 
 export const writeOptions = {
-    mesh: choice('kind', 0, ['voronoi', 'delaunay', 'grains']),
-    outline: choice('outline', 0, ['whole', 'box']),
-    colour: choice('colour', 1, ['sides', 'size', 'cells', 'density', 'phase', 'orbit', 'tag']),
-    glbNodes: choice('gltf_nodes', 1, ['cells', 'one']),
+    mesh: choice('kind', words.mesh),
+    outline: choice('outline', words.outline),
+    colour: choice('colour', words.colour),
+    glbNodes: choice('gltf_nodes', words.glbNodes),
     float32: (name, value) => ({ field: 'single_precision', value: value ? 1 : 0 }),
     pixels: whole('pixels', 1, 65536),
-    surface: choice('surface', 0, ['cells', 'boundary']),
+    surface: choice('surface', words.surface),
 };
 
 /** The fields of the C interface that `options` sets, those of the lattice first. */

@@ -3,10 +3,13 @@
  * command, and which words in a message of pcvt mean this field.
  */
 
-const GROUPS = [
-    'p1', 'p2', 'pm', 'pg', 'cm', 'pmm', 'pmg', 'pgg', 'cmm', 'p4', 'p4m', 'p4g', 'p3', 'p3m1',
-    'p31m', 'p6', 'p6m'
-];
+import {words} from './package/words.js';
+
+/** The words of an option with their labels, or without labels, behind the choice of no word. */
+function choicesOf(option, labelOfNone, labels = {}) {
+    const shown = Object.keys(words[option]).map((word) => [word, labels[word] ?? word]);
+    return labelOfNone ? [['', labelOfNone], ...shown] : shown;
+}
 
 /** A message for one field. */
 export class FieldFault extends Error {
@@ -59,22 +62,22 @@ export const FIELDS = [
         value: '',
         read: asGiven,
         words: /symmetr|plane group|p\d.*lattice/i,
-        choices: [['', 'none'], ...GROUPS.map((group) => [group, group])]
+        choices: choicesOf('symmetry', 'none')
     },
     {
         id: 'walls',
         value: '',
         read: asGiven,
         words: /walls|rectangle/i,
-        choices:
-            [['', 'none'], ['x', 'left, right'], ['y', 'bottom, top'], ['xy', 'all round']]
+        choices: choicesOf('walls', 'none', {x: 'left, right', y: 'bottom, top', xy: 'all round'})
     },
     {
         id: 'wallCells',
         value: '',
         read: asGiven,
         words: /wall.cells|half cells/i,
-        choices: [['', 'whole'], ['half', 'half']]
+        // The empty choice means whole cells.
+        choices: choicesOf('wallCells', 'whole').filter(([word]) => word !== 'whole')
     },
     {id: 'areas', value: '', read: asGiven, words: /area/i},
     {
@@ -82,17 +85,16 @@ export const FIELDS = [
         value: '',
         read: asGiven,
         words: /start/i,
-        choices: [
-            ['', 'automatic'], ['random', 'random'], ['coarse', 'coarse'],
-            ['lattice', 'best lattice'], ['best', 'best of many']
-        ]
+        choices: choicesOf('start', 'automatic', {lattice: 'best lattice', best: 'best of many'})
     },
     {
         id: 'solver',
         value: '',
         read: asGiven,
         words: /solver/i,
-        choices: [['', 'automatic'], ['lloyd', 'Lloyd'], ['newton', 'Newton']]
+        // The empty choice means lbfgs.
+        choices: choicesOf('solver', 'automatic', {lloyd: 'Lloyd', newton: 'Newton'})
+                     .filter(([word]) => word !== 'lbfgs')
     },
     {id: 'tolerance', value: '', read: number, words: /tolerance/i},
     {id: 'maxIterations', value: '', read: notNegative, words: /iteration/i},
@@ -103,11 +105,12 @@ export const FIELDS = [
 
 /** The choices beside the form, which select the tile and not the run. */
 export const CHOICES = {
-    mesh: [
-        ['voronoi', 'Voronoi cells'], ['delaunay', 'Delaunay triangles'],
-        ['grains', 'triangles in cells']
-    ],
-    outline: [['whole', 'no cell is cut'], ['box', 'cut along a, b']],
+    mesh: choicesOf('mesh', '', {
+        voronoi: 'Voronoi cells',
+        delaunay: 'Delaunay triangles',
+        grains: 'triangles in cells'
+    }),
+    outline: choicesOf('outline', '', {whole: 'no cell is cut', box: 'cut along a, b'}),
 };
 
 export const EXAMPLES = [

@@ -57,15 +57,29 @@ CommandWords table_of(const CLI::App& app, const std::string& name) {
 
 }  // namespace
 
+std::vector<std::string> OptionWords::words() const {
+    std::vector<std::string> found = alternatives(form);
+    if (are_capital_words(found)) return found;
+    std::erase_if(found,
+                  [](const auto& word) { return !is_literal(word.substr(0, word.find(':'))); });
+    return found;
+}
+
 std::vector<std::string> OptionWords::values() const {
-    std::vector<std::string> words = alternatives(form);
-    if (are_capital_words(words)) return words;
-    std::erase_if(words, [](const std::string& word) { return !is_literal(word); });
-    return words;
+    std::vector<std::string> found = words();
+    std::erase_if(found, [](const auto& word) { return word.find(':') != std::string::npos; });
+    return found;
 }
 
 bool OptionWords::takes_file() const {
     return form.find("FILE") != std::string::npos || (is_argument && names.front() == "FILE");
+}
+
+std::string first_clause(const std::string& description) {
+    std::string text = description.substr(0, description.find_first_of(";["));
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    while (text.ends_with(' ')) text.pop_back();
+    return text;
 }
 
 std::vector<CommandWords> option_tables(const CLI::App& app) {

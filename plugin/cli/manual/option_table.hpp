@@ -21,12 +21,17 @@ struct OptionWords {
     bool is_argument = false;
     bool is_repeatable = false;
 
-    /// The values in the form that are words: "whole" and "box" of "whole|box", "auto" of
-    /// "X,Y|auto".
+    /// The values in the form that begin with a word: "auto" of "X,Y|auto", "equal" and "gamma:S"
+    /// of "equal|gamma:S|FILE".
+    std::vector<std::string> words() const;
+    /// Those of them that are words.
     std::vector<std::string> values() const;
     /// Whether the value may be a file or a folder.
     bool takes_file() const;
 };
+
+/// The first clause of a description, in one line.
+std::string first_clause(const std::string& description);
 
 /// A command with its options. The first table of a list describes `pcvt` itself.
 struct CommandWords {

@@ -1,7 +1,5 @@
 #include "plugin/cli/manual/shell_completion.hpp"
 
-#include <algorithm>
-
 namespace pcvt::cli {
 namespace {
 
@@ -76,14 +74,6 @@ constexpr const char* kBashTail =
     "}\n"
     "complete -F _pcvt pcvt\n";
 
-/// The first clause of a description, in one line.
-std::string clause(const std::string& description) {
-    std::string text = description.substr(0, description.find_first_of(";["));
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    while (text.ends_with(' ')) text.pop_back();
-    return text;
-}
-
 /// Escapes a text for _arguments and _describe within single quotes.
 std::string zsh_text(const std::string& text) {
     std::string escaped;
@@ -119,7 +109,7 @@ std::string zsh_specification(const OptionWords& option) {
     for (const std::string& name : option.names) {
         if (!text.empty()) text += " ";
         text += "'" + std::string(option.is_repeatable ? "*" : "") + name + "[" +
-                zsh_text(clause(option.description)) + "]" +
+                zsh_text(first_clause(option.description)) + "]" +
                 (option.form.empty() ? "" : zsh_value(option)) + "'";
     }
     return text;
@@ -158,7 +148,8 @@ std::string zsh_completion(const std::vector<CommandWords>& commands) {
         "    local -a commands=(\n";
     for (const CommandWords& command : commands) {
         if (command.name.empty()) continue;
-        text += "        '" + command.name + ":" + zsh_text(clause(command.description)) + "'\n";
+        text +=
+            "        '" + command.name + ":" + zsh_text(first_clause(command.description)) + "'\n";
     }
     text += "    )\n    _arguments -C -S";
     for (const OptionWords& option : commands.front().options) {

@@ -22,11 +22,11 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
                    "of other cells with --density size]")
         ->type_name(listed_words(kColourings, "|", "|"));
     app.add_option("--background", choices.background,
-                   "of .svg; none: the page shows through, and text follows light and\n"
-                   "dark pages [none]")
+                   "the background of .svg; none: the page shows through, and text follows\n"
+                   "light and dark pages [none]")
         ->type_name("none|#rrggbb");
     app.add_option("--glb-nodes", choices.glb_nodes,
-                   "of .glb and .gltf; cells: a node and a material for each cell;\n"
+                   "the nodes of .glb and .gltf; cells: one and a material for each cell;\n"
                    "one: one node, vertices shared by all cells, a material for each\n"
                    "colour [cells up to 2000 cells, else and for grains one]")
         ->type_name(listed_words(kGltfNodes, "|", "|"));
@@ -65,7 +65,7 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
                    "of .foam: height of the layer of cells along z [sqrt(area / faces)]")
         ->type_name("T");
     app.add_option("--surface", choices.surface,
-                   "of .obj, .ply and .glb in space: a closed surface for each cell, or the\n"
+                   "of .obj, .ply and .glb: a closed surface for each cell, or the\n"
                    "boundary of the tile, whose faces are matched [cells]")
         ->type_name(listed_words(kSurfaceForms, "|", "|"));
 }

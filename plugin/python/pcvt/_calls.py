@@ -9,16 +9,15 @@ import numpy as np
 from . import _library
 from ._callbacks import Callbacks
 from ._library import ArgumentError, Handle, checked, library
-
-STARTS = ("default", "random", "coarse", "lattice", "best")
-DUPLICATES = ("refuse", "drop")
-SOLVERS = ("default", "lbfgs", "lloyd", "newton")
+from ._words import CHOICES
 
 
-def choice(name, value, choices):
-    if value not in choices:
-        raise ArgumentError(f"{name} {value!r} is unknown; take one of {', '.join(choices)}")
-    return choices.index(value)
+def choice(name, value, option=None, dimension=2):
+    """The number in pcvt.h of a word, which an argument has for an option of the command, or of its own name."""
+    words = CHOICES[dimension][option or name]
+    if value not in list(words):
+        raise ArgumentError(f"{name} {value!r} is unknown; take one of {', '.join(words)}")
+    return words[value]
 
 
 def text(name, value):
@@ -28,11 +27,16 @@ def text(name, value):
     return encoded
 
 
-def doubles(name, values, *shape):
+def shaped(name, values, *shapes):
+    """The values as an array of one of the shapes."""
     array = np.ascontiguousarray(values, dtype=np.float64)
-    if array.shape != shape:
-        raise ArgumentError(f"{name} has the shape {array.shape}; give {shape}")
+    if array.shape not in shapes:
+        raise ArgumentError(f"{name} has the shape {array.shape}; give {' or '.join(map(str, shapes))}")
     return array
+
+
+def doubles(name, values, *shape):
+    return shaped(name, values, shape)
 
 
 def set_integers(options, **integers):

@@ -1,82 +1,13 @@
-"""Runs in three dimensions, and the views of their results."""
+"""Results in three dimensions."""
 
 from ctypes import sizeof
 
 import numpy as np
 
 from . import _library
-from ._calls import (DUPLICATES, SOLVERS, STARTS, choice, default_options, doubles, generated, set_doubles, set_integers,
-                     set_sites, text, written)
-from ._library import ArgumentError, library
+from ._calls import choice, text, written
+from ._library import library
 from ._views import minimum_of, statistics_of
-
-_STARTS = ("default", "random", "coarse", "lattice")
-_SOLVERS = ("default", "lbfgs", "lloyd")
-_MESHES = ("voronoi", "delaunay")
-_SURFACES = ("cells", "boundary")
-
-
-def _period_vectors(lattice, period):
-    if period is None:
-        return np.eye(3) if lattice is None else lattice
-    if lattice is not None:
-        raise ArgumentError("lattice and period exclude each other; give one of the two")
-    sides = doubles("period", period, 3)
-    if not (sides > 0).all():
-        raise ArgumentError(f"period {period!r}: a side is not above 0; give three positive lengths")
-    return np.diag(sides)
-
-
-def _number(name, value, words, numbers):
-    """The number in pcvt.h of a word that space has."""
-    choice(name, value, words)
-    return numbers.index(value)
-
-
-def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="default", tolerance=1e-6,
-          max_iterations=-1, threads=0, short_edges=0.0, progress=None, duplicates="refuse"):
-    """Generates a periodic centroidal Voronoi tessellation of space, whose cells are polyhedra. The
-    same arguments give the same result to the last bit. Ctrl-C ends the run at the next iteration.
-
-        result = pcvt.space(sites=100, lattice=((1, 0, 0), (0.37, 0.81, 0), (0.2, 0.4, 0.9)))
-        result.tile().volumes.sum()                  # 0.729, the volume of the domain
-        result.write("tile.foam")
-
-    sites           the number of sites, drawn from `seed`; or their positions, shape (n, 3), anywhere
-                    in space
-    lattice         (3, 3), the period vectors as rows a, b, c, of either orientation; None: the unit
-                    cube
-    period          (x, y, z), the sides of a box, in place of lattice
-    start           where drawn sites begin: default (coarse from 1000 sites on, else random), random,
-                    coarse (few sites first, then between them more), lattice (the best exact
-                    lattice for their number)
-    solver          default (lbfgs), lbfgs, lloyd
-    tolerance       converged once the residual max |x_i - g_i| / h is at most this, with h the cube
-                    root of volume / n
-    max_iterations  negative: no limit; 0: the periodic Voronoi diagram of the sites as given
-    threads         0: as many as there are cores
-    short_edges     edges shorter than this times h are removed from the cells, at most 0.1; files of such cells
-                    are .vtu and .foam
-    progress        called with a Progress once an iteration; a true return value cancels. Its energy
-                    has the unit length^5
-    duplicates      given sites nearer to an earlier one than 1e-9 h: refuse, an error that names them all, or
-                    drop, which leaves them out and numbers the others from 0 again. See Statistics.dropped
-
-    Returns a SpaceResult, also if the run did not converge: see statistics.stop. Raises Cancelled,
-    ArgumentError, GeometryError (coincident sites) or LimitError (memory) with the library's message,
-    or the exception of progress.
-    """
-    options = default_options()
-    options.dimension = 3
-    _points = set_sites(options, sites, 3)  # Alive while the library reads it.
-    set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
-                 duplicates=choice("duplicates", duplicates, DUPLICATES),
-                 start=_number("start", start, _STARTS, STARTS),
-                 solver=_number("solver", solver, _SOLVERS, SOLVERS))
-    set_doubles(options, lattice3=doubles("lattice", _period_vectors(lattice, period), 3, 3).ravel())
-    options.tolerance = tolerance
-    options.short_edges = short_edges
-    return SpaceResult(generated(options, None, progress))
 
 
 class SpaceResult:
@@ -130,8 +61,8 @@ class SpaceResult:
         tetrahedra, a boundary that touches itself), LimitError, Cancelled, or the exception of progress.
         """
         options = _library.WriteOptions(struct_size=sizeof(_library.WriteOptions), replace=bool(replace),
-                                        kind=choice("mesh", mesh, _MESHES),
-                                        surface=choice("surface", surface, _SURFACES),
+                                        kind=choice("mesh", mesh, dimension=3),
+                                        surface=choice("surface", surface, dimension=3),
                                         report=None if report is None else text("report", report))
         written(self._handle, path, options, progress)
 

@@ -6,9 +6,10 @@ from typing import NamedTuple
 import numpy as np
 
 from . import _library
+from ._words import CHOICES
 
-KINDS = ("voronoi", "delaunay", "grains")
-OUTLINES = ("whole", "box")
+KINDS = tuple(CHOICES[2]["mesh"])
+OUTLINES = tuple(CHOICES[2]["outline"])
 FORMS = ("circle", "ellipse", "polygon")
 STOPS = ("converged", "iteration-limit", "stalled")
 EDGE_PAIR = np.dtype([(name, np.int32) for name in ("v0", "v1", "w0", "w1", "i", "j")])

@@ -1,5 +1,6 @@
 #include "plugin/abi/feature_fields.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,6 +47,15 @@ TEST(FeatureFields, AWordFindsItsRow) {
     EXPECT_EQ(find_field("n_threads"), nullptr);
     EXPECT_EQ(find_field("areas")->feature, Feature::kAreas);
     EXPECT_EQ(find_field("n_areas")->feature, Feature::kAreas);
+    EXPECT_EQ(find_field("area"), nullptr);
+}
+
+TEST(FeatureFields, AnOptionSetsFieldsWhetherEveryJobHasItOrNot) {
+    using testing::ElementsAre;
+    EXPECT_THAT(option_fields("--threads"), ElementsAre("n_threads"));
+    EXPECT_THAT(option_fields("--lattice"), ElementsAre("lattice", "lattice3"));
+    EXPECT_THAT(option_fields("--areas"), ElementsAre("areas", "n_areas", "area_law"));
+    EXPECT_THAT(option_fields("--quiet"), ElementsAre());
 }
 
 }  // namespace

@@ -4,10 +4,13 @@ import assert from 'node:assert';
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 
-const load = (name) => {
+/** The address of a script with its text; the page finds the words of options in the package that is built beside it. */
+const addressOf = (name) => {
     const text = readFileSync(resolve(process.argv[2], name), 'utf8');
-    return import(`data:text/javascript,${encodeURIComponent(text)}`);
+    const own = text.replace('./package/words.js', () => addressOf('../package/words.js'));
+    return `data:text/javascript,${encodeURIComponent(own)}`;
 };
+const load = (name) => import(addressOf(name));
 const { Plot } = await load('plot.js');
 const { Runs } = await load('run.js');
 const { commandOf, hashOf, readOptions } = await load('fields.js');

@@ -1,6 +1,8 @@
 """pcvt help: the pages of the manual and the completion of the command line."""
 
+import json
 import os
+import pathlib
 import pty
 import re
 import select
@@ -10,6 +12,7 @@ import unittest
 
 from support.cli import CliTest, main
 
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 COMMANDS = ("mesh", "pattern", "study", "check", "help")
 
 
@@ -70,6 +73,84 @@ class Pages(CliTest):
     def test_an_unknown_page_is_refused(self):
         self.refuse(2, "did you mean mesh", "help", "--man", "mehs")
         self.refuse(2, "takes a command", "help", "--man", "cooking")
+
+
+class Options(CliTest):
+    """pcvt help --options json."""
+
+    # A value for each option that is for the plane only.
+    VALUES = {"--areas": "equal", "--aspect": 2, "--background": "none", "--budget": 9, "--cells": "a.csv",
+              "--coriolis": 1, "--cut": 9, "--density": 1, "--density-range": "1,2", "--fibres": "0.2,3",
+              "--fixed": "a.txt", "--hole": "a", "--inclusions": "a.txt", "--material": "same",
+              "--orientations": "random", "--origin": "0,0", "--order": 2, "--per-edge": 2, "--phases": "a:1",
+              "--pixels": 9, "--repeat": "2x1", "--retry": 1, "--size": 0.1, "--thickness": 1, "--voxels": "9,9"}
+
+    def setUp(self):
+        super().setUp()
+        self.options = json.loads(self.succeed("help", "--options", "json"))
+        self.help = self.succeed("mesh", "--help")
+
+    def part(self, name):
+        """The help of an option in one line."""
+        part = re.search(rf"^  {name}( .*?)(?=^  -|\n\n)", self.help, re.MULTILINE | re.DOTALL)[1]
+        return " ".join(part.split())
+
+    def test_options_are_those_of_the_help(self):
+        self.assertEqual(list(self.options), [name for name in options_of(self.help) if name not in ("-h", "--help")])
+        for name, option in self.options.items():
+            with self.subTest(name):
+                self.assertTrue(self.part(name).startswith(option["form"]))
+                self.assertRegex(self.part(name), re.escape(option["help"]))
+
+    def test_fields_are_those_of_the_header(self):
+        header = (ROOT / "plugin" / "pcvt.h").read_text()
+        for name, option in self.options.items():
+            for field in option["fields"]:
+                self.assertRegex(header, rf"\b{field}(\[\d\])?;", name)
+
+    def test_the_help_marks_the_dimensions_of_options_and_of_words(self):
+        for name, option in self.options.items():
+            with self.subTest(name):
+                self.assertEqual(self.part(name).endswith("; plane only"), not option["space"])
+                self.assertEqual(self.part(name).endswith("; space only"), not option["plane"])
+                for word in option["words"] if option["space"] else ():
+                    self.assertEqual(f"; {word['word']}: plane only" in self.part(name), not word["space"])
+
+    def not_in_space(self, name):
+        """Values of an option, each a list of words, that runs in space lack."""
+        option = self.options[name]
+        words = [[word["word"]] for word in option["words"] if word["number"] is not None and not word["space"]]
+        if option["space"] or words:
+            return words
+        return [[self.VALUES[name]] if option["form"] else []]
+
+    def test_dimensions_are_those_of_runs(self):
+        for name in self.options:
+            for value in self.not_in_space(name):
+                with self.subTest(name, value=value):
+                    self.refuse(2, f"{name}.* not for three dimensions", "mesh", "--sites", 9, "--period", "1,1,1",
+                                name, *value)
+
+    def test_formats_are_those_that_take_an_option(self):
+        self.assertEqual(self.options["--voxels"]["formats"], [".vti"])
+        self.assertEqual(self.options["--surface"]["formats"], [".obj", ".ply", ".glb"])
+        self.assertIsNone(self.options["--walls"]["formats"])
+        for name, value in (("--pixels", 9), ("--thickness", 1), ("--cut", 9)):
+            expected = ", ".join(self.options[name]["formats"]).replace(", ", "( or |, )")
+            self.refuse(2, f"no output takes .*; add one of {expected}", "mesh", "--sites", 9, name, value, "-o", "a.om")
+
+    def test_words_have_the_numbers_of_the_header(self):
+        header = (ROOT / "plugin" / "pcvt.h").read_text()
+        for name, prefix in (("--start", "START_"), ("--solver", "SOLVER_"), ("--walls", "WALLS_"), ("--mesh", ""),
+                             ("--outline", ""), ("--colour", "COLOUR_"), ("--surface", "SURFACE_"),
+                             ("--symmetry", "SYMMETRY_"), ("--duplicates", "DUPLICATES_"), ("--element", "")):
+            for word in self.options[name]["words"]:
+                self.assertRegex(header, rf"\bPCVT_{prefix}{word['word'].upper()} = {word['number']}\b")
+        self.assertEqual([word["word"] for word in self.options["--areas"]["words"]], ["equal", "lognormal:S", "gamma:S"])
+
+    def test_mistakes(self):
+        self.refuse(2, "--options xml: unknown; take json", "help", "--options", "xml")
+        self.refuse(2, "--options takes neither a topic nor --man", "help", "mesh", "--options", "json")
 
 
 class Bash(CliTest):

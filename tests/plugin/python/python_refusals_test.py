@@ -3,11 +3,11 @@
 import unittest
 from ctypes import byref, sizeof
 
-from support.cli import CliTest, main
+from support.cli import main
 from support.python_package import ROOT, pcvt
 
 import numpy as np
-from pcvt import _library, _views
+from pcvt import _library, _views, _words
 
 
 class Refusals(unittest.TestCase):
@@ -96,13 +96,24 @@ class Layout(unittest.TestCase):
         what = _library.WriteOptions(struct_size=sizeof(_library.WriteOptions) - 1)
         self.assertEqual(library.pcvt_write(result, b"/nowhere/a.txt", byref(what)), -2)
 
+class Choices(unittest.TestCase):
+    def test_each_word_has_its_own_number(self):
+        for dimension, choices in _words.CHOICES.items():
+            for option, words in choices.items():
+                with self.subTest(option, dimension=dimension):
+                    numbers = list(words.values())
+                    self.assertEqual(numbers, sorted(set(numbers)))
+        self.assertEqual(_views.KINDS, ("voronoi", "delaunay", "grains"))
+        for kind in _views.KINDS:
+            self.assertEqual(pcvt.mesh(5).tile(kind).kind, kind)
+        for outline in _views.OUTLINES:
+            self.assertEqual(pcvt.mesh(5).tile(outline=outline).outline, outline)
 
-class Choices(CliTest):
-    def test_words_are_the_options_of_the_command_in_the_order_of_their_numbers(self):
-        text = self.succeed("mesh", "--help")
-        for option, words in (("--start", pcvt._STARTS[1:]), ("--solver", pcvt._SOLVERS[1:]),
-                              ("--mesh", _views.KINDS), ("--outline", _views.OUTLINES)):
-            self.assertRegex(text, rf"{option} {'[|]'.join(words)}\s")
+    def test_words_reach_the_library(self):
+        for start in _words.CHOICES[2]["start"]:
+            self.assertEqual(pcvt.mesh(5, start=start, budget=100 if start == "best" else 0).statistics.n_sites, 5)
+        for group in _words.CHOICES[2]["symmetry"]:
+            self.assertIsNotNone(pcvt.mesh(48, symmetry=group, period=None, max_iterations=0).orbits)
 
 
 if __name__ == "__main__":

@@ -173,6 +173,52 @@ class Files(CliTest):
             pcvt.space(200, progress=lambda _: {}["mine"])
 
 
+class Mesh(CliTest):
+    """pcvt.mesh() with three period vectors."""
+
+    def test_three_periods_mean_space(self):
+        for arguments, same in (({"period": (2, 0.5, 1)}, {"period": (2, 0.5, 1)}),
+                                ({"lattice": OBLIQUE}, {"lattice": OBLIQUE}),
+                                ({"lattice": OBLIQUE.ravel()}, {"lattice": OBLIQUE}),
+                                ({"lattice": np.eye(3).tolist()}, {}), ({"period": (1, 1, 1)}, {})):
+            result = pcvt.mesh(20, seed=3, **arguments)
+            self.assertIs(type(result), pcvt.SpaceResult)
+            np.testing.assert_array_equal(result.sites, pcvt.space(20, seed=3, **same).sites)
+
+    def test_two_periods_mean_the_plane(self):
+        for arguments in ({"lattice": (2, 0, 0.5, 1)}, {"lattice": ((2, 0), (0.5, 1))}):
+            result = pcvt.mesh(20, **arguments)
+            self.assertIs(type(result), pcvt.Result)
+            np.testing.assert_array_equal(result.lattice, ((2, 0), (0.5, 1)))
+        np.testing.assert_array_equal(pcvt.mesh(20, period=(2, 1)).sites, pcvt.mesh(20, (2, 0, 0, 1)).sites)
+
+    def test_arguments_for_the_plane_are_refused_by_name_at_once(self):
+        shapes = (("circle", "a", 0.5, 0.5, 0.1), ("polygon", "b", ((0, 0), (0.1, 0), (0, 0.1))))
+        for name, value in (("density", "1 + x"), ("density", lambda x, y: 1), ("density_range", (1, 2)),
+                            ("origin", (1, 0)), ("origin", "auto"), ("repeat", (2, 1)), ("grain_order", 2),
+                            ("grain_size", 0.1), ("grain_per_edge", 2), ("budget", 9), ("areas", "equal"),
+                            ("areas", np.ones(9)), ("aspect", 2), ("aspect", (2, 30)), ("phases", {"a": 1}),
+                            ("orientations", "random"), ("orientations", np.zeros((9, 3))), ("symmetry", "p2"),
+                            ("walls", "x"), ("wall_cells", "half"), ("fixed", ((0, 0),)), ("inclusions", shapes),
+                            ("fibres", (0.2, 3)), ("holes", ["a"])):
+            with self.subTest(name), self.assertRaisesRegex(
+                    pcvt.ArgumentError, f"^{name} is not for three dimensions; leave it out, or give two period"):
+                pcvt.mesh(9, period=(1, 1, 1), **{name: value})
+        with self.assertRaisesRegex(pcvt.ArgumentError, "^areas and walls are not for three .*; leave them out"):
+            pcvt.mesh(9, period=(1, 1, 1), walls="x", areas="equal")
+
+    def test_defaults_of_the_plane_are_no_choice(self):
+        result = pcvt.mesh(9, period=(1, 1, 1), origin=[0, 0], repeat=np.array((1, 1)), walls="none", aspect=1,
+                           holes=[], density=None)
+        np.testing.assert_array_equal(result.sites, pcvt.space(9).sites)
+
+    def test_words_are_those_of_space(self):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "solver 'newton' is unknown; take one of default, lbfgs, lloyd$"):
+            pcvt.mesh(9, period=(1, 1, 1), solver="newton")
+        with self.assertRaisesRegex(pcvt.ArgumentError, r"sites has the shape \(1, 2\); give \(1, 3\)"):
+            pcvt.mesh([[0, 0]], period=(1, 1, 1))
+
+
 class Refusals(CliTest):
     def refuse(self, error, pattern, sites=10, **arguments):
         with self.assertRaisesRegex(error, pattern) as refusal:

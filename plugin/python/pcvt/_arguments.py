@@ -1,0 +1,104 @@
+"""Arguments of mesh() that take more than one form, and those that its dimension lacks."""
+
+import inspect
+
+import numpy as np
+
+from ._calls import doubles, set_integers, shaped, text
+from ._library import ArgumentError
+from ._words import PLANE_ONLY
+
+
+def period_vectors(lattice, period, symmetry):
+    """The two or three period vectors as rows."""
+    if period is not None and lattice is not None:
+        raise ArgumentError("lattice and period exclude each other; give one of the two")
+    if period is not None:
+        sides = shaped("period", period, (2,), (3,))
+        if not (sides > 0).all():
+            raise ArgumentError(f"period {period!r}: a side is not above 0; give "
+                                f"{'two' if len(sides) == 2 else 'three'} positive lengths")
+        return np.diag(sides)
+    if lattice is not None:
+        vectors = shaped("lattice", lattice, (2, 2), (3, 3), (4,), (9,))
+        return vectors.reshape(2 if vectors.size == 4 else 3, -1)
+    is_hexagonal = str(symmetry)[1:2] in ("3", "6")
+    return np.array(((1, 0), (0.5, 0.75 ** 0.5)) if is_hexagonal else ((1, 0), (0, 1)))
+
+
+def refuse_plane_only(function, arguments):
+    """Requires that the arguments of a function which are for the plane only have their defaults."""
+    defaults = inspect.signature(function).parameters
+    names = [name for name, value in arguments.items()
+             if name in PLANE_ONLY and not np.array_equal(value, defaults[name].default)]
+    if names:
+        raise ArgumentError(f"{' and '.join(names)} {'is' if len(names) == 1 else 'are'} not for three dimensions; "
+                            f"leave {'it' if len(names) == 1 else 'them'} out, or give two period vectors")
+
+
+def set_areas(options, areas):
+    """Returns the array that must stay alive as long as the options are used, or None."""
+    if areas is None:
+        return None
+    if isinstance(areas, str):
+        options.area_law = text("areas", areas)
+        return None
+    array = doubles("areas", areas, np.size(areas))
+    set_integers(options, n_areas=len(array))
+    options.areas = array.ctypes.data
+    return array
+
+
+def set_materials(options, phases, orientations):
+    """Returns the array that must stay alive as long as the options are used, or None."""
+    if phases is not None:
+        if not isinstance(phases, str):
+            phases = ",".join(f"{name}:{float(fraction)!r}" for name, fraction in phases.items())
+        options.phases = text("phases", phases)
+    if orientations is None:
+        return None
+    if isinstance(orientations, str):
+        if orientations != "random":
+            raise ArgumentError(f"orientations {orientations!r} is unknown; give random or angles")
+        options.random_orientations = 1
+        return None
+    array = doubles("orientations", orientations, len(orientations), 3)
+    set_integers(options, n_orientations=len(array))
+    options.orientations = array.ctypes.data
+    return array
+
+
+def material_text(materials):
+    """Elastic constants as text: {name: numbers}, or text."""
+    if not isinstance(materials, str):
+        materials = " ".join(f"{name}:" + ",".join(repr(float(x)) for x in np.ravel(constants))
+                             for name, constants in materials.items())
+    return text("materials", materials)
+
+
+def set_fixed(options, fixed):
+    """Returns the array that must stay alive as long as the options are used, or None."""
+    if fixed is None:
+        return None
+    points = doubles("fixed", fixed, len(fixed), 2)
+    set_integers(options, n_fixed_sites=len(points))
+    options.fixed_sites = points.ctypes.data
+    return points
+
+
+def _shape_line(shape):
+    """The line of a shape: (word, tag, numbers...), or (word, tag, array of corners)."""
+    word, tag, *numbers = shape
+    return f"{word} {tag} " + " ".join(repr(float(x)) for part in numbers for x in np.ravel(part))
+
+
+def set_inclusions(options, inclusions, fibres, holes):
+    if len(holes) > 0:
+        options.holes = text("holes", holes if isinstance(holes, str) else ",".join(holes))
+    if fibres is not None:
+        options.fibres = ",".join(map(repr, fibres)).encode()
+    if inclusions is None:
+        return
+    if not isinstance(inclusions, str):
+        inclusions = "\n".join(map(_shape_line, inclusions))
+    options.inclusions = text("inclusions", inclusions)

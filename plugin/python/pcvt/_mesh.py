@@ -1,0 +1,135 @@
+"""Runs in the plane and in space."""
+
+import numpy as np
+
+from ._arguments import (period_vectors, refuse_plane_only, set_areas, set_fixed, set_inclusions,
+                         set_materials)
+from ._calls import choice, default_options, generated, set_doubles, set_integers, set_sites, shaped
+from ._result import Result
+from ._space import SpaceResult
+
+
+def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0), origin=(0, 0),
+         repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
+         max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
+         budget=0, progress=None, areas=None, aspect=1.0, phases=None, orientations=None, symmetry=None,
+         walls="none", wall_cells="whole", fixed=None, inclusions=None, fibres=None, holes=(),
+         duplicates="refuse"):
+    """Generates a periodic centroidal Voronoi tessellation of the plane, or, with three period vectors,
+    of space, whose cells are polyhedra. The same arguments give the same result to the last bit.
+    Ctrl-C ends the run at the next iteration.
+
+        result = pcvt.mesh(100, ((1, 0, 0), (0.37, 0.81, 0), (0.2, 0.4, 0.9)))
+        result.tile().volumes.sum()                  # 0.729, the volume of the domain
+        result.write("tile.foam")
+
+    Space has the arguments sites to duplicates, with its own units: h is the cube root of volume / n,
+    and energies have the unit length^5.
+
+    sites           the number of sites, drawn from `seed`; or their positions, shape (n, 2), anywhere
+                    in the plane, or (n, 3)
+    lattice         (2, 2) or 4 numbers, the period vectors as rows a, b; (3, 3) or 9 numbers: a, b, c, of
+                    either orientation; None: the unit square, or with p3 to p6m vectors of length 1
+                    at 60 degrees
+    period          (width, height) of a rectangle, or (x, y, z) of a box, in place of lattice
+    seed            of all random numbers
+    start           where drawn sites begin: default (coarse from 1000 sites on, else random), random,
+                    coarse (few sites first, then between them more), lattice (the best exact
+                    lattice for their number), in the plane best (a global search)
+    solver          default, lbfgs, lloyd, in the plane newton
+    tolerance       converged once the residual max |x_i - g_i| / h is at most this
+    max_iterations  negative: no limit; 0: the periodic Voronoi diagram of the sites as given. With
+                    areas: steps that move each site to the centroid of its cell
+    threads         0: as many as there are cores
+    short_edges     edges of cells shorter than this times h are removed, in space at most 0.1; files of such
+                    cells in space are .vtu and .foam
+    progress        called with a Progress once an iteration; a true return value cancels. Its
+                    `phase` is start or optimise; the later phases belong to write()
+    duplicates      given sites nearer to an earlier one than 1e-9 h: refuse, an error that names them all, or
+                    drop, which leaves them out with their areas and orientations, and numbers the others
+                    from 0 again. See Statistics.dropped
+
+    The arguments that follow are for the plane only.
+
+    density         periodic, finite and positive: a function of x, y, each float64 of shape (m,),
+                    that returns shape (m,) or one number; or, as text, an expression in x, y, u, v
+                    or the name of a .png file. None: uniform. A function is called on the calling
+                    thread, for a few thousand points at a time
+    density_range   of the image; 0, 0: pcvt chooses
+    origin          corner of the domain of the tiles, (x, y); "auto" cuts the outline BOX where the
+                    shortest edge of the cut is longest
+    repeat          (columns, rows): the domains that a tile covers
+    grain_order, grain_size, grain_per_edge, budget
+                    as in pcvt.h
+    areas           cells of prescribed areas, power cells: shape (n,), positive numbers in any unit,
+                    scaled to the area of the domain; or "equal", or "lognormal:S" or "gamma:S", drawn
+                    from `seed`, with S the standard deviation over the mean of the equivalent
+                    diameters. See Result.weights
+    aspect          R or (R, degrees): cells R times as long along degrees from x as across, 0.01 to
+                    100
+    phases          each cell gets a phase: {name: fraction of the area}, or "NAME:FRACTION,...", with the
+                    sum 1; spread evenly, drawn from `seed`. See Result.phases
+    orientations    each cell gets an orientation: shape (n, 3), Bunge's angles phi1, Phi, phi2 in
+                    degrees; or "random", drawn from `seed`. See Result.orientations
+    symmetry        drawn sites have, and keep, the symmetry of a plane group: p1, p2, pm, pg, cm, pmm, pmg,
+                    pgg, cmm, p4, p4m, p4g, p3, p3m1, p31m, p6 or p6m; sites counts those of one period
+    walls           straight walls at 0 and at the period in place of periods: x (across x), y, xy, none
+    wall_cells      cells beside walls: whole, or half, whose sites lie on the wall; triangles need half
+    fixed           sites that stay where they are, shape (k, 2): the first k of the sites; the others are
+                    drawn
+    inclusions      shapes whose outlines no cell crosses, which may cross the sides of the domain:
+                    ("circle", tag, x, y, r), ("ellipse", tag, x, y, a, b, degrees) or ("polygon", tag,
+                    corners of shape (k, 2)) each; or text with one a line. The tags become the
+                    phases of the cells, after "matrix". See Result.phases
+    fibres          (fraction, n) or (fraction, n, gap): in place of inclusions, n circles of the tag
+                    "fibre" with this part of the area, at random places by `seed`, not nearer than gap
+    holes           tags of inclusions, or one tag: their cells are left out of tiles and files, whose edges
+                    there are walls with these names. See Tile.wall_edges
+
+    Returns a Result, in space a SpaceResult, also if the run did not converge: see statistics.stop. Raises
+    Cancelled, another Error with the library's message, or the exception of density or progress.
+    """
+    arguments = locals()
+    vectors = period_vectors(lattice, period, symmetry)
+    dimension = len(vectors)
+    if dimension == 3:
+        refuse_plane_only(mesh, arguments)
+    options = default_options()
+    options.dimension = dimension
+    # Alive while the library reads them.
+    _points, _areas = set_sites(options, sites, dimension), set_areas(options, areas)
+    _angles = set_materials(options, phases, orientations)
+    _fixed = set_fixed(options, fixed)
+    set_inclusions(options, inclusions, fibres, holes)
+    columns, rows = repeat
+    set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
+                 columns=columns, rows=rows, grain_order=grain_order, grain_per_edge=grain_per_edge,
+                 budget=budget, walls=choice("walls", walls), wall_cells=choice("wall_cells", wall_cells),
+                 symmetry=0 if symmetry is None else choice("symmetry", symmetry),
+                 duplicates=choice("duplicates", duplicates, dimension=dimension),
+                 start=choice("start", start, dimension=dimension),
+                 solver=choice("solver", solver, dimension=dimension))
+    options.find_origin = isinstance(origin, str) and origin == "auto"
+    set_doubles(options, origin=(0, 0) if options.find_origin else origin, density_range=density_range,
+                **{"lattice" if dimension == 2 else "lattice3": vectors.ravel()})
+    options.tolerance, options.grain_size = tolerance, grain_size
+    options.short_edges = short_edges
+    options.aspect, options.aspect_degrees = (aspect, 0) if np.ndim(aspect) == 0 else aspect
+    return (Result if dimension == 2 else SpaceResult)(generated(options, density, progress))
+
+
+def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="default", tolerance=1e-6,
+          max_iterations=-1, threads=0, short_edges=0.0, progress=None, duplicates="refuse"):
+    """Calls mesh() with three period vectors, by default those of the unit cube. Returns a SpaceResult.
+
+        result = pcvt.space(sites=100)               # pcvt.mesh(sites=100, period=(1, 1, 1))
+    """
+    if lattice is not None:
+        shaped("lattice", lattice, (3, 3), (9,))
+    if period is not None:
+        shaped("period", period, (3,))
+    elif lattice is None:
+        lattice = np.eye(3)
+    return mesh(sites, lattice, period=period, seed=seed, start=start, solver=solver, tolerance=tolerance,
+                max_iterations=max_iterations, threads=threads, short_edges=short_edges, progress=progress,
+                duplicates=duplicates)
