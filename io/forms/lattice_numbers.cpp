@@ -1,7 +1,7 @@
 #include "io/forms/lattice_numbers.hpp"
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/tile_file.hpp"
+#include "io/forms/tile_file.hpp"
 #include "mesher/cells/set_names.hpp"
 
 namespace pcvt {

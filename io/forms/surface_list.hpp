@@ -4,7 +4,7 @@
 #include <string>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/note_table.hpp"
+#include "io/forms/note_table.hpp"
 #include "mesher/space/tile/tile_surface.hpp"
 
 namespace pcvt {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/encoded_file.hpp"
 #include "io/bytes/json.hpp"
-#include "io/tiles/encoded_file.hpp"
 
 namespace pcvt {
 

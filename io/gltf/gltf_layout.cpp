@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/tiles/site_notes.hpp"
+#include "io/forms/site_notes.hpp"
 
 namespace pcvt {
 namespace {

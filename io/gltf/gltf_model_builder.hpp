@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/encoded_file.hpp"
 #include "io/colours/palette.hpp"
 #include "io/gltf/gltf_container.hpp"
 #include "io/gltf/gltf_surface.hpp"
-#include "io/tiles/encoded_file.hpp"
 
 namespace pcvt {
 

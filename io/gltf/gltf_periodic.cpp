@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "io/tiles/site_notes.hpp"
+#include "io/forms/site_notes.hpp"
 
 namespace pcvt {
 namespace {

@@ -7,12 +7,12 @@
 #include <map>
 
 #include "io/forms/lattice_numbers.hpp"
+#include "io/forms/material_words.hpp"
 #include "io/gltf/gltf_attributes.hpp"
 #include "io/gltf/gltf_document.hpp"
 #include "io/gltf/gltf_layout.hpp"
 #include "io/gltf/gltf_periodic.hpp"
 #include "io/gltf/gltf_scene.hpp"
-#include "io/tiles/material_words.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "io/bytes/encoded_file.hpp"
 #include "io/gltf/gltf_container.hpp"
 #include "io/gltf/gltf_surface.hpp"
-#include "io/tiles/encoded_file.hpp"
 
 namespace pcvt {
 

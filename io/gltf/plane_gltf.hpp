@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/tiles/encoded_file.hpp"
-#include "io/tiles/file_options.hpp"
+#include "io/bytes/encoded_file.hpp"
+#include "io/forms/file_options.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {
@@ -18,7 +18,7 @@ namespace pcvt {
 /// face (vertex) that names the site, and a tile of several periods has "periods": [columns, rows],
 /// one without edges shorter than Tile::short_edges has "shortEdges", one of elongated cells has
 /// "metric": [ratio, degrees], and one of power cells has "siteWeights", the accessor of a weight
-/// for each site (io/tiles/site_notes.hpp).
+/// for each site (io/forms/site_notes.hpp).
 /// Grains add "kind": "grains". Coordinates are float32; the lattice keeps double precision. A tile
 /// more than 8 periods away from 0 gives the node `tile` a translation of whole periods, in double
 /// precision, to which all positions are relative (gltf_place.hpp). The children of `tile`:
