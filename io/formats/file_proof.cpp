@@ -7,9 +7,9 @@
 
 #include "io/bytes/output_error.hpp"
 #include "io/bytes/text.hpp"
+#include "io/forms/site_notes.hpp"
 #include "io/gltf/gltf_place.hpp"
 #include "io/mpas/mpas_graph.hpp"
-#include "io/tiles/site_notes.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/plane/proof/generated_tile.hpp"
 #include "mesher/plane/proof/site_labels.hpp"

@@ -10,7 +10,7 @@
 #include "io/formats/space_rows.hpp"
 #include "io/forms/triangle_elements.hpp"
 #include "io/gltf/gltf_reader.hpp"
-#include "io/gltf/gltf_writer.hpp"
+#include "io/gltf/plane_gltf.hpp"
 #include "io/graphics/obj_reader.hpp"
 #include "io/graphics/obj_writer.hpp"
 #include "io/graphics/om_reader.hpp"
@@ -81,7 +81,7 @@ constexpr std::array<Format, 17> kFormats{{
          SpaceFormat{
              .surfaces = FormatSurfaces::kChosen,
              .memory = 15200,
-             .encode = space_rows::encode_surfaces<encode_glb_mesh, SeamForm::kNone>,
+             .encode = space_rows::encode_triangles,
              .kind = space_rows::kind_where<SpaceFileKind::kTriangles, holds_glb_surfaces>}},
     {.extension = ".gltf",
      .description = "glTF 2.0, one text file",

@@ -7,12 +7,12 @@
 #include <variant>
 #include <vector>
 
+#include "io/bytes/encoded_file.hpp"
+#include "io/bytes/file_fields.hpp"
 #include "io/formats/space_format.hpp"
+#include "io/forms/file_options.hpp"
+#include "io/forms/tile_file.hpp"
 #include "io/run_files/cell_writer.hpp"
-#include "io/tiles/encoded_file.hpp"
-#include "io/tiles/file_fields.hpp"
-#include "io/tiles/file_options.hpp"
-#include "io/tiles/tile_file.hpp"
 #include "io/voxels/vti_reader.hpp"
 #include "mesher/finite_volume/mpas_grid.hpp"
 #include "mesher/plane/mesh/outline.hpp"

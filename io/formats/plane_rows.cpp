@@ -6,7 +6,7 @@
 #include "io/formats/single_precision.hpp"
 #include "io/forms/triangle_elements.hpp"
 #include "io/gltf/gltf_reader.hpp"
-#include "io/gltf/gltf_writer.hpp"
+#include "io/gltf/plane_gltf.hpp"
 #include "io/graphics/obj_reader.hpp"
 #include "io/graphics/obj_writer.hpp"
 #include "io/graphics/om_reader.hpp"

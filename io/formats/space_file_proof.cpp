@@ -6,8 +6,7 @@
 #include "io/bytes/extension.hpp"
 #include "io/bytes/output_error.hpp"
 #include "io/forms/space_surface.hpp"
-#include "io/gltf/glb_mesh_fields.hpp"
-#include "io/gltf/glb_mesh_reader.hpp"
+#include "io/gltf/space_gltf_proof.hpp"
 #include "io/graphics/obj_reader.hpp"
 #include "io/graphics/obj_writer.hpp"
 #include "io/graphics/om_reader.hpp"
@@ -48,23 +47,23 @@ std::vector<EncodedFile> encode_again(SurfaceList list, const std::string& path)
     return encode_ply_mesh(surface_mesh(std::move(list), SeamForm::kColumns), path);
 }
 
-SurfaceMesh surfaces_of(const SpaceTile& tile, SurfaceForm form) {
-    return surface_mesh(surface_list(tile.mesh, tile.sites, form), SeamForm::kNone);
+GltfSurface surface_of(const SpaceTile& tile, SurfaceForm form) {
+    return gltf_surface(surface_list(tile.mesh, tile.sites, form));
 }
 
 /// Proves triangles of a tile. Those of a tile that is too fine for single precision may break laws
 /// although they are those of its faces.
 bool holds_same_triangles(const EncodedFile& glb, const SpaceTile& tile) {
     const GlbSurfaces found = decode_glb_surfaces(glb);
-    require_same_surfaces(found, surfaces_of(tile, found.form));
-    if (found.lattice.periods() != tile.mesh.lattice.periods() || found.sites != tile.sites) {
+    require_same_surfaces(found, surface_of(tile, found.list.form));
+    const space::TileSurface& surface = found.list.surface;
+    if (surface.lattice.periods() != tile.mesh.lattice.periods() || surface.sites != tile.sites) {
         return false;
     }
     try {
-        prove_glb_surfaces(found);
-        compare_glb_surfaces(glb, found);
+        prove_glb_surfaces(glb, found);
     } catch (const InvalidInput&) {
-        if (fits_single_precision(surfaces_of(tile, SurfaceForm::kCells))) throw;
+        if (fits_single_precision(surface_of(tile, SurfaceForm::kCells).mesh)) throw;
         throw CoarsePrecision(glb.path +
                               ": the format's single precision is too coarse for this tile; take "
                               "another format");

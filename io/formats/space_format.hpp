@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/encoded_file.hpp"
 #include "io/forms/space_tile.hpp"
 #include "io/forms/surface_list.hpp"
-#include "io/tiles/encoded_file.hpp"
 #include "mesher/plane/mesh/mesh_kind.hpp"
 #include "mesher/space/mesh/tetrahedral_mesh.hpp"
 

@@ -7,8 +7,7 @@
 
 #include "io/formats/space_format.hpp"
 #include "io/forms/space_surface.hpp"
-#include "io/gltf/glb_mesh_reader.hpp"
-#include "io/gltf/glb_mesh_writer.hpp"
+#include "io/gltf/space_gltf.hpp"
 #include "io/graphics/obj_reader.hpp"
 #include "io/graphics/obj_writer.hpp"
 #include "io/graphics/om_reader.hpp"
@@ -54,6 +53,11 @@ std::vector<EncodedFile> encode_surfaces(const SpaceTile& tile, SurfaceForm surf
                                          const std::string& path) {
     SurfaceList list = surface_list(tile.mesh, tile.sites, surfaces);
     return kEncode(surface_mesh(std::move(list), kSeam), path);
+}
+
+inline std::vector<EncodedFile> encode_triangles(const SpaceTile& tile, SurfaceForm surfaces,
+                                                 const std::string& path) {
+    return encode_glb_surfaces(surface_list(tile.mesh, tile.sites, surfaces), path);
 }
 
 inline std::vector<EncodedFile> encode_boundary(const SpaceTile& tile, SurfaceForm,

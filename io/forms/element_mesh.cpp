@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "io/forms/finite.hpp"
 #include "io/forms/point_offsets.hpp"
 #include "io/forms/triangle_elements.hpp"
-#include "io/tiles/finite.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {

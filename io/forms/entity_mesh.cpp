@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "io/forms/cell_entities.hpp"
+#include "io/forms/material_words.hpp"
 #include "io/forms/seam_entities.hpp"
-#include "io/tiles/material_words.hpp"
-#include "io/tiles/site_notes.hpp"
-#include "io/tiles/site_orbits.hpp"
+#include "io/forms/site_notes.hpp"
+#include "io/forms/site_orbits.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/cells/set_names.hpp"
 #include "mesher/space/mesh/polyhedral_mesh.hpp"

@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace pcvt {
 
@@ -23,5 +25,9 @@ Lattice lattice_from(std::span<const double> numbers) {
     }
     (std::make_index_sequence<kSize>());
 }
+
+/// Returns the numbers of seam_name(), "seam_I_J" or "seam_I_J_K"; none for any other name, or if
+/// one is beyond kLargestOffset.
+std::vector<int> offset_in_name(std::string_view name);
 
 }  // namespace pcvt

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "io/tiles/site_notes.hpp"
-#include "io/tiles/site_orbits.hpp"
+#include "io/forms/site_notes.hpp"
+#include "io/forms/site_orbits.hpp"
 
 namespace pcvt {
 namespace {

@@ -8,7 +8,7 @@
 namespace pcvt {
 
 /// Returns a tile with its notes, without colours and texture coordinates. The notes are lattice,
-/// seam, the site of each face or vertex, those of io/tiles/site_notes.hpp, the edges of holes, and
+/// seam, the site of each face or vertex, those of io/forms/site_notes.hpp, the edges of holes, and
 /// the orbits of the sites. In columns, each vertex has its orbit, the smallest index of a vertex
 /// on it, and its offset from there.
 ///

@@ -6,7 +6,7 @@ namespace pcvt {
 namespace {
 
 /// Offsets of points are below this, so that their numbers fit into an int.
-constexpr double kMostPeriods = 1 << 30;
+constexpr double kMostPointPeriods = 1 << 30;
 
 }  // namespace
 
@@ -15,7 +15,7 @@ void find_point_offsets(const std::string& name, space::TetrahedralMesh& mesh) {
     for (int v = 0; v < mesh.n_points(); ++v) {
         const space::Vec3 u =
             mesh.lattice.to_lattice(mesh.points[v] - mesh.points[first[v]]).array().round();
-        if (!(u.lpNorm<Eigen::Infinity>() < kMostPeriods)) {
+        if (!(u.lpNorm<Eigen::Infinity>() < kMostPointPeriods)) {
             throw BadFile(name + ": node " + std::to_string(v + 1) +
                           " lies too far from its image; correct its position");
         }

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "io/bytes/bad_file.hpp"
-#include "io/tiles/tile_file.hpp"
+#include "io/forms/tile_file.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/space/mesh/polyhedral_assembly.hpp"
 

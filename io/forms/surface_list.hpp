@@ -3,8 +3,8 @@
 #include <string>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/file_options.hpp"
-#include "io/tiles/note_table.hpp"
+#include "io/forms/file_options.hpp"
+#include "io/forms/note_table.hpp"
 #include "mesher/space/tile/tile_surface.hpp"
 
 namespace pcvt {

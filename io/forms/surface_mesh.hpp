@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/colours/colouring.hpp"
-#include "io/tiles/note_table.hpp"
+#include "io/forms/note_table.hpp"
 #include "mesher/base/faces.hpp"
 #include "mesher/plane/tile/texture_coordinates.hpp"
 

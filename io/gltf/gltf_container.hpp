@@ -8,6 +8,9 @@
 
 namespace pcvt {
 
+/// The containers of glTF: `.gltf` with an embedded buffer, or binary `.glb`.
+enum class GltfContainer { kText, kBinary };
+
 /// The version of the container, and the bytes before its first chunk and before each chunk's data.
 inline constexpr std::uint32_t kGlbVersion = 2;
 inline constexpr std::size_t kGlbHeaderSize = 12;

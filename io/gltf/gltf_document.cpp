@@ -76,6 +76,26 @@ const Json& GltfDocument::member(const Json& object, const std::string& key) {
     return found == nullptr ? kNull : *found;
 }
 
+std::vector<double> GltfDocument::number_list(const Json& value, std::size_t n) {
+    std::vector<double> result;
+    if (!value.is_array() || value.size() != n) return result;
+    for (const Json& number : value) {
+        if (!number.is_number()) return {};
+        result.push_back(number.get<double>());
+    }
+    return result;
+}
+
+std::vector<double> GltfDocument::vector_list(const Json& rows, std::size_t n) {
+    std::vector<double> result;
+    for (const Json& row : rows) {
+        const std::vector<double> vector = number_list(row, n);
+        if (vector.empty()) return {};
+        result.insert(result.end(), vector.begin(), vector.end());
+    }
+    return result;
+}
+
 std::size_t GltfDocument::count(const Json& number, const std::string& name) const {
     if (!number.is_number_unsigned() || number.get<std::uint64_t>() > kMaxCount) {
         throw_bad_file("'" + name + "' of a glTF object is not a count; export the file again");

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/encoded_file.hpp"
 #include "io/bytes/json.hpp"
-#include "io/tiles/encoded_file.hpp"
 
 namespace pcvt {
 
@@ -41,6 +41,17 @@ class GltfDocument {
 
     /// Returns object[key]; null if `object` lacks the key or is not an object.
     static const Json& member(const Json& object, const std::string& key);
+    /// Returns extras.periodic of a node; null if it has none.
+    static const Json& periodic(const Json& node) {
+        return member(member(node, "extras"), "periodic");
+    }
+    /// Returns the numbers of a list of n numbers; none if `value` is no such list.
+    static std::vector<double> number_list(const Json& value, std::size_t n);
+    /// Returns the numbers of a list of lists of n numbers, one list after the other; none if
+    /// `rows` is no such list.
+    static std::vector<double> vector_list(const Json& rows, std::size_t n);
+    /// Whether pcvt wrote the file, and no other program since.
+    bool is_own() const { return member(member(root_, "asset"), "generator") == "pcvt"; }
 
     /// Returns the numbers of an accessor of floats, element by element with `width` components
     /// each; all are finite.

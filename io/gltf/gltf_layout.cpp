@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/tiles/site_notes.hpp"
+#include "io/forms/site_notes.hpp"
 
 namespace pcvt {
 namespace {
@@ -201,8 +201,7 @@ class LayoutProof {
     }
 
     void require_all_used() {
-        const Json& extras = GltfDocument::member(document_.entry("nodes", 0), "extras");
-        const Json& periodic = GltfDocument::member(extras, "periodic");
+        const Json& periodic = GltfDocument::periodic(document_.entry("nodes", 0));
         for (const SiteNote& note : site_notes()) {
             const std::string member(note.member);
             const Json& value = GltfDocument::member(periodic, member);
@@ -226,12 +225,9 @@ class LayoutProof {
 }  // namespace
 
 bool is_own_gltf(const GltfDocument& document) {
-    const Json& asset = GltfDocument::member(document.root(), "asset");
-    if (GltfDocument::member(asset, "generator") != "pcvt") return false;
     const Json& nodes = GltfDocument::member(document.root(), "nodes");
-    if (!nodes.is_array() || nodes.size() == 0 || !nodes[0].is_object()) return false;
-    const Json& extras = GltfDocument::member(nodes[0], "extras");
-    return GltfDocument::member(extras, "periodic").contains("sitePositions");
+    return document.is_own() && nodes.is_array() && nodes.size() > 0 &&
+           GltfDocument::periodic(nodes[0]).contains("sitePositions");
 }
 
 void require_own_layout(const GltfDocument& document) { LayoutProof(document).require(); }

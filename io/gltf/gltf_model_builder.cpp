@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "io/gltf/gltf_container.hpp"
 #include "io/gltf/gltf_json.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
@@ -24,17 +23,27 @@ void require_gltf_size(std::size_t n_bytes, const std::string& path) {
     throw LimitExceeded(path + ": more than 2 GiB, too large for glTF; write another format");
 }
 
-ModelBuilder::ModelBuilder(std::size_t n_bytes) {
+ModelBuilder::ModelBuilder(std::size_t n_bytes, const Eigen::Vector3d& translation) {
     model_.asset.generator = "pcvt";
     model_.asset.version = "2.0";
     model_.buffers.emplace_back().data.reserve(n_bytes);
     model_.scenes.emplace_back().nodes = {0};
     model_.defaultScene = 0;
-    model_.nodes.emplace_back().name = "tile";
+    tinygltf::Node& tile = model_.nodes.emplace_back();
+    tile.name = "tile";
+    if (!translation.isZero(0)) tile.translation.assign(translation.begin(), translation.end());
+}
+
+int ModelBuilder::add_floats(std::span<const float> numbers, std::size_t width) {
+    const int view = add_view(numbers.data(), numbers.size_bytes(), TINYGLTF_TARGET_ARRAY_BUFFER);
+    const int type = width == 1   ? TINYGLTF_TYPE_SCALAR
+                     : width == 2 ? TINYGLTF_TYPE_VEC2
+                                  : TINYGLTF_TYPE_VEC3;
+    return add_accessor(view, 0, TINYGLTF_COMPONENT_TYPE_FLOAT, numbers.size() / width, type);
 }
 
 int ModelBuilder::add_positions(const std::vector<Point3>& points) {
-    const int id = add_vertex_data(points, TINYGLTF_TYPE_VEC3);
+    const int id = add_vertex_data(points);
     tinygltf::Accessor& accessor = model_.accessors.back();
     accessor.minValues.assign(points[0].begin(), points[0].end());
     accessor.maxValues = accessor.minValues;
@@ -64,7 +73,7 @@ int ModelBuilder::add_indices(const std::vector<int>& indices, const std::vector
     return static_cast<int>(model_.accessors.size() - begin.size()) + 1;
 }
 
-tinygltf::Material& ModelBuilder::add_material(const std::string& name, Colour colour) {
+int ModelBuilder::add_material(const std::string& name, Colour colour) {
     tinygltf::Material& material = model_.materials.emplace_back();
     material.name = name;
     material.doubleSided = true;
@@ -77,6 +86,14 @@ tinygltf::Material& ModelBuilder::add_material(const std::string& name, Colour c
         material.pbrMetallicRoughness.baseColorFactor.push_back(four_decimals);
     }
     material.pbrMetallicRoughness.baseColorFactor.push_back(1);
+    return static_cast<int>(model_.materials.size()) - 1;
+}
+
+int ModelBuilder::add_unlit_material(const std::string& name, Colour colour) {
+    constexpr const char* kUnlit = "KHR_materials_unlit";
+    const int material = add_material(name, colour);
+    model_.materials.back().extensions[kUnlit] = tinygltf::Value(tinygltf::Value::Object{});
+    model_.extensionsUsed.emplace_back(kUnlit);
     return material;
 }
 

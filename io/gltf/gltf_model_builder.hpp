@@ -3,18 +3,17 @@
 #include <tiny_gltf.h>
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/encoded_file.hpp"
 #include "io/colours/palette.hpp"
+#include "io/gltf/gltf_container.hpp"
 #include "io/gltf/gltf_surface.hpp"
-#include "io/tiles/encoded_file.hpp"
 
 namespace pcvt {
-
-/// The containers of glTF: `.gltf` with an embedded buffer, or binary `.glb`.
-enum class GltfContainer { kText, kBinary };
 
 /// Requires that a buffer of this size can be counted.
 /// @throws LimitExceeded naming the path.
@@ -23,15 +22,17 @@ void require_gltf_size(std::size_t n_bytes, const std::string& path);
 /// Builds a glTF model; every returned number is an index into one of its tables.
 class ModelBuilder {
    public:
-    /// @param n_bytes  the approximate size of the data.
-    explicit ModelBuilder(std::size_t n_bytes);
+    /// @param n_bytes      the approximate size of the data.
+    /// @param translation  that of the node `tile`, length units.
+    ModelBuilder(std::size_t n_bytes, const Eigen::Vector3d& translation);
 
-    /// Adds an accessor with its own buffer view: one Element of floats per vertex.
-    template <class Element>
-    int add_vertex_data(const std::vector<Element>& elements, int type) {
-        const int view = add_view(elements.data(), elements.size() * sizeof(Element),
-                                  TINYGLTF_TARGET_ARRAY_BUFFER);
-        return add_accessor(view, 0, TINYGLTF_COMPONENT_TYPE_FLOAT, elements.size(), type);
+    /// Adds an accessor with its own buffer view: rows of 1, 2 or 3 numbers.
+    int add_floats(std::span<const float> numbers, std::size_t width);
+
+    /// The same of one row per vertex.
+    template <std::size_t kWidth>
+    int add_vertex_data(const std::vector<std::array<float, kWidth>>& rows) {
+        return add_floats({rows.data()->data(), kWidth * rows.size()}, kWidth);
     }
 
     int add_positions(const std::vector<Point3>& points);
@@ -41,15 +42,12 @@ class ModelBuilder {
     int add_indices(const std::vector<int>& indices, const std::vector<int>& begin,
                     std::size_t n_vertices);
 
-    tinygltf::Material& add_material(const std::string& name, Colour colour);
-
-    /// Returns the material added last.
-    int last_material() const { return static_cast<int>(model_.materials.size()) - 1; }
+    int add_material(const std::string& name, Colour colour);
+    /// Adds one that shows its colour in any light.
+    int add_unlit_material(const std::string& name, Colour colour);
 
     /// Adds a child of the node `tile`.
     void add_node(const std::string& name, std::vector<tinygltf::Primitive> primitives);
-
-    tinygltf::Model& model() { return model_; }
 
     /// Returns the file of the model, with its buffer, which is moved away.
     /// @param periodic  the JSON of extras.periodic of the node `tile`.

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "io/tiles/site_notes.hpp"
+#include "io/forms/site_notes.hpp"
 
 namespace pcvt {
 namespace {
@@ -38,12 +38,12 @@ std::vector<double> note_numbers(const GltfDocument& document, const SiteNote& n
 void read_holes(const GltfDocument& document, const Json& holes, SiteNotes& notes) {
     for (const JsonMember& hole : holes.members()) {
         for (const Json& edge : hole.value) {
-            if (edge.size() != 2 || !edge.is_array() || !edge[0].is_number() ||
-                !edge[1].is_number()) {
+            const std::vector<double> ends = GltfDocument::number_list(edge, 2);
+            if (ends.empty()) {
                 document.throw_bad_file(kPeriodic + std::string("holes is not of edges [v, w]"));
             }
             try {
-                notes.add_hole_edge(hole.name, edge[0].get<double>(), edge[1].get<double>());
+                notes.add_hole_edge(hole.name, ends[0], ends[1]);
             } catch (const InvalidInput& fault) {
                 document.throw_bad_file(kPeriodic + std::string("holes: ") + fault.what());
             }

@@ -5,7 +5,7 @@
 
 namespace pcvt {
 
-/// Reads the notes of the sites (io/tiles/site_notes.hpp) from extras.periodic into `tile`; leaves
+/// Reads the notes of the sites (io/forms/site_notes.hpp) from extras.periodic into `tile`; leaves
 /// the tile as it is if there are none.
 ///
 /// Example usage:

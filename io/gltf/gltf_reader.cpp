@@ -6,12 +6,13 @@
 #include <limits>
 #include <map>
 
+#include "io/forms/lattice_numbers.hpp"
+#include "io/forms/material_words.hpp"
 #include "io/gltf/gltf_attributes.hpp"
 #include "io/gltf/gltf_document.hpp"
 #include "io/gltf/gltf_layout.hpp"
 #include "io/gltf/gltf_periodic.hpp"
 #include "io/gltf/gltf_scene.hpp"
-#include "io/tiles/material_words.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
@@ -178,17 +179,12 @@ void visit(const SceneNode& placed, Finding& finding) {
 }
 
 plane::Lattice read_lattice(const GltfDocument& document, const Json& rows) {
-    const auto is_vector = [](const Json& row) {
-        return row.is_array() && row.size() == 2 && row[0].is_number() && row[1].is_number();
-    };
-    if (!rows.is_array() || rows.size() != 2 || !is_vector(rows[0]) || !is_vector(rows[1])) {
+    const std::vector<double> numbers = document.vector_list(rows, 2);
+    if (numbers.size() != 4) {
         document.throw_bad_file("extras.periodic.lattice is not [[ax, ay], [bx, by]]");
     }
-    const auto vector = [](const Json& row) {
-        return plane::Vec2(row[0].get<double>(), row[1].get<double>());
-    };
     try {
-        return {vector(rows[0]), vector(rows[1])};
+        return lattice_from<plane::Lattice>(numbers);
     } catch (const InvalidInput& fault) {
         document.throw_bad_file(std::string("extras.periodic.lattice: ") + fault.what());
     }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/tiles/encoded_file.hpp"
-#include "io/tiles/tile_file.hpp"
+#include "io/bytes/encoded_file.hpp"
+#include "io/forms/tile_file.hpp"
 
 namespace pcvt {
 

@@ -1,5 +1,6 @@
 #include "io/gltf/gltf_scene.hpp"
 
+#include <cmath>
 #include <string>
 
 namespace pcvt {
@@ -8,14 +9,10 @@ namespace {
 /// Returns the translation of a node itself.
 plane::Vec2 translation_of(const Json& node, const GltfDocument& document) {
     if (!node.contains("translation")) return plane::Vec2::Zero();
-    const Json& value = GltfDocument::member(node, "translation");
-    plane::Vec2 translation = plane::Vec2::Zero();
-    bool is_vector = value.is_array() && value.size() == 3;
-    for (std::size_t k = 0; is_vector && k < 3; ++k) {
-        is_vector = value[k].is_number();
-        if (is_vector && k < 2) translation[static_cast<int>(k)] = value[k].get<double>();
+    const auto numbers = GltfDocument::number_list(GltfDocument::member(node, "translation"), 3);
+    if (!numbers.empty() && std::isfinite(numbers[0]) && std::isfinite(numbers[1])) {
+        return {numbers[0], numbers[1]};
     }
-    if (is_vector && translation.allFinite()) return translation;
     document.throw_bad_file("the translation of a node is not [x, y, z]; export the file again");
 }
 

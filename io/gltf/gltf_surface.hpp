@@ -1,50 +1,44 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <vector>
 
-#include "io/tiles/file_options.hpp"
-#include "io/tiles/triangle_fan.hpp"
-#include "mesher/plane/tile/tile.hpp"
+#include "io/forms/surface_mesh.hpp"
+#include "mesher/base/site_id.hpp"
 
 namespace pcvt {
 
+/// A point, a normal or a colour in single precision.
 using Point3 = std::array<float, 3>;
 
-/// Consecutive triangles of one colour.
-struct SurfaceGroup {
-    /// The class of their colour.
-    int colour;
-    /// -1 where the group holds all cells of this colour.
-    SiteId site;
+/// Viewers slow down beyond about this number of nodes.
+inline constexpr int kMaxCellNodes = 2000;
+
+/// A member of extras.periodic: its JSON, or numbers that the buffer holds in single precision.
+struct GltfExtra {
+    std::string key;
+    std::string json;
+    /// Rows of this width; then the member is the index of their accessor.
+    std::vector<float> numbers = {};
+    std::size_t width = 0;
 };
 
-/// Consecutive triangles of one cell.
-struct CellTriangles {
-    SiteId site;
-    int n_triangles;
+/// A surface mesh with the quantities that glTF shows beside it. Each group is a node, with a
+/// primitive for each run of faces of one colour; classes beyond those of the faces are colours of
+/// points.
+struct GltfSurface {
+    SurfaceMesh mesh;
+    /// One a point, whose faces are triangles that share their points; none: each face has points
+    /// of its own, with its normal.
+    std::vector<Point3> normals = {};
+    /// The site of each point, or none.
+    std::vector<SiteId> vertex_site = {};
+    /// The ends of lines on the points, two each, which are drawn above the surface.
+    std::vector<int> lines = {};
+    /// The place of the points, length units.
+    Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+    std::vector<GltfExtra> extras = {};
 };
-
-/// The triangles of a tile as a glTF file stores them, on the vertices of the tile.
-struct Surface {
-    std::vector<Point32> points;
-    std::vector<int> indices;
-    /// Cells and grains: group g has the corners indices[group_begin[g]] ...
-    /// indices[group_begin[g + 1] - 1], three per triangle.
-    std::vector<SurfaceGroup> groups;
-    std::vector<int> group_begin{0};
-    /// Cells and grains in one node: the cells in the order of their triangles.
-    std::vector<CellTriangles> cells;
-    /// Delaunay triangles: the colour of each vertex.
-    std::vector<Point3> vertex_colour;
-
-    bool is_one_node() const { return !cells.empty() || groups.empty(); }
-};
-
-/// Returns the surface of a tile. Cells and grains have one group for each cell, or in one node one
-/// for each colour.
-/// @throws CoarsePrecision naming the path if float32 cannot hold a coordinate or the area of a
-/// cell.
-Surface make_surface(const plane::Tile& tile, const TileColours& colours, GltfNodes nodes,
-                     const std::string& path);
 
 }  // namespace pcvt

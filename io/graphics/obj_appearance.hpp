@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/tiles/encoded_file.hpp"
+#include "io/bytes/encoded_file.hpp"
 #include "mesher/plane/tile/texture_coordinates.hpp"
 
 namespace pcvt {

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
+#include "io/forms/file_tile_builder.hpp"
+#include "io/forms/material_words.hpp"
 #include "io/graphics/obj_appearance.hpp"
 #include "io/graphics/seam_json.hpp"
-#include "io/tiles/file_tile_builder.hpp"
-#include "io/tiles/material_words.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {

@@ -9,9 +9,9 @@
 
 #include "io/bytes/extension.hpp"
 #include "io/bytes/text.hpp"
+#include "io/forms/finite.hpp"
 #include "io/forms/plane_surface.hpp"
 #include "io/graphics/seam_json.hpp"
-#include "io/tiles/finite.hpp"
 #include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/plane/tile/texture_coordinates.hpp"

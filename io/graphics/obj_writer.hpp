@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "io/bytes/encoded_file.hpp"
+#include "io/forms/file_options.hpp"
 #include "io/forms/surface_mesh.hpp"
-#include "io/tiles/encoded_file.hpp"
-#include "io/tiles/file_options.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {

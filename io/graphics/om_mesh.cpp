@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "io/tiles/tile_file.hpp"
+#include "io/forms/tile_file.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "io/forms/site_notes.hpp"
 #include "io/graphics/om_mesh.hpp"
-#include "io/tiles/site_notes.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/plane/tile/tile_holes.hpp"
 

@@ -1,7 +1,7 @@
 #include "io/graphics/om_writer.hpp"
 
+#include "io/forms/finite.hpp"
 #include "io/graphics/om_encoder.hpp"
-#include "io/tiles/finite.hpp"
 #include "mesher/plane/tile/openmesh_tile.hpp"
 #include "mesher/space/tile/openmesh_surface.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/tiles/encoded_file.hpp"
+#include "io/bytes/encoded_file.hpp"
 #include "mesher/plane/tile/tile.hpp"
 #include "mesher/space/tile/tile_surface.hpp"
 

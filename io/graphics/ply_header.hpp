@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/note_table.hpp"
+#include "io/forms/note_table.hpp"
 
 namespace pcvt {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
+#include "io/forms/file_tile_builder.hpp"
 #include "io/graphics/ply_header.hpp"
-#include "io/tiles/file_tile_builder.hpp"
 
 namespace pcvt {
 namespace {

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "io/bytes/encoded_file.hpp"
 #include "io/forms/surface_list.hpp"
-#include "io/tiles/encoded_file.hpp"
-#include "io/tiles/tile_file.hpp"
+#include "io/forms/tile_file.hpp"
 
 namespace pcvt {
 

@@ -6,9 +6,9 @@
 
 #include "io/bytes/text.hpp"
 #include "io/colours/palette.hpp"
+#include "io/forms/finite.hpp"
 #include "io/forms/plane_surface.hpp"
-#include "io/tiles/finite.hpp"
-#include "io/tiles/triangle_fan.hpp"
+#include "io/forms/triangle_fan.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {

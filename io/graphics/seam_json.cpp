@@ -7,7 +7,7 @@
 
 #include "io/bytes/json.hpp"
 #include "io/bytes/text.hpp"
-#include "io/tiles/note_table.hpp"
+#include "io/forms/note_table.hpp"
 
 namespace pcvt {
 namespace {

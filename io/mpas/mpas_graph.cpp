@@ -1,7 +1,7 @@
 #include "io/mpas/mpas_graph.hpp"
 
+#include "io/bytes/file_fields.hpp"
 #include "io/bytes/text.hpp"
-#include "io/tiles/file_fields.hpp"
 
 namespace pcvt {
 

@@ -2,12 +2,12 @@
 
 #include <utility>
 
+#include "io/forms/file_tile_builder.hpp"
+#include "io/forms/finite.hpp"
+#include "io/forms/material_words.hpp"
+#include "io/forms/site_notes.hpp"
 #include "io/openfoam/foam_lists.hpp"
 #include "io/openfoam/foam_reader.hpp"
-#include "io/tiles/file_tile_builder.hpp"
-#include "io/tiles/finite.hpp"
-#include "io/tiles/material_words.hpp"
-#include "io/tiles/site_notes.hpp"
 #include "mesher/finite_volume/extruded_base.hpp"
 
 namespace pcvt {

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "io/bytes/encoded_file.hpp"
+#include "io/forms/tile_file.hpp"
 #include "io/openfoam/foam_case.hpp"
-#include "io/tiles/encoded_file.hpp"
-#include "io/tiles/tile_file.hpp"
 #include "mesher/cells/cell_materials.hpp"
 #include "mesher/finite_volume/extruded_mesh.hpp"
 #include "mesher/plane/tile/tile.hpp"
@@ -16,7 +16,7 @@ namespace pcvt {
 ///
 /// Cell i is face i of the tile; in a tile of cells without repetition it is the cell of site i.
 /// The notes hold the kind of the faces, the period vectors, the site of each cell, the notes of
-/// the sites (io/tiles/site_notes.hpp) and the phases. The cells of each phase are the zone
+/// the sites (io/forms/site_notes.hpp) and the phases. The cells of each phase are the zone
 /// phase_NAME.
 ///
 /// Example usage:

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/encoded_file.hpp"
 #include "io/bytes/text.hpp"
-#include "io/tiles/encoded_file.hpp"
 #include "mesher/base/faces.hpp"
 
 namespace pcvt {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "io/bytes/encoded_file.hpp"
 #include "io/forms/space_tile.hpp"
 #include "io/openfoam/foam_case.hpp"
-#include "io/tiles/encoded_file.hpp"
 
 namespace pcvt {
 

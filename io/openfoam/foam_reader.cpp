@@ -6,33 +6,14 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
+#include "io/forms/lattice_numbers.hpp"
 #include "io/openfoam/foam_case.hpp"
 #include "io/openfoam/foam_lists.hpp"
 #include "io/openfoam/foam_scanner.hpp"
-#include "io/tiles/tile_file.hpp"
 #include "mesher/cells/set_names.hpp"
 
 namespace pcvt {
 namespace {
-
-/// Returns the numbers of the name seam_I_J or seam_I_J_K; none for any other name.
-std::vector<int> named_offset(std::string_view name) {
-    std::vector<int> numbers;
-    if (!name.starts_with(kSeamSet)) return numbers;
-    name.remove_prefix(kSeamSet.size() - 1);
-    while (name.starts_with('_')) {
-        name.remove_prefix(1);
-        const std::string_view word = name.substr(0, name.find('_'));
-        try {
-            numbers.push_back(parse_integer(word));
-        } catch (const InvalidInput&) {
-            return {};
-        }
-        if (numbers.back() < -kLargestOffset || numbers.back() > kLargestOffset) return {};
-        name.remove_prefix(word.size());
-    }
-    return numbers;
-}
 
 Eigen::Vector3d read_separation(FoamScanner& scanner, int n_periods) {
     Eigen::Vector3d separation;
@@ -69,7 +50,7 @@ std::pair<FiniteVolumePatch, std::string> read_patch(FoamScanner& scanner, int n
     if (type == "wall") patch.kind = PatchKind::kWall;
     if (type == "empty" && find_wall_side(patch.name) == nullptr) patch.kind = PatchKind::kEmpty;
     if (partner.empty() && patch.kind != PatchKind::kCyclic) return {patch, partner};
-    patch.offset = named_offset(patch.name);
+    patch.offset = offset_in_name(patch.name);
     if (type != "cyclic" || partner.empty() ||
         patch.offset.size() != static_cast<std::size_t>(n_periods)) {
         scanner.throw_bad_file("patch " + in_quotes(patch.name) +

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "io/tiles/encoded_file.hpp"
+#include "io/bytes/encoded_file.hpp"
 #include "mesher/cells/finite_volume_mesh.hpp"
 
 namespace pcvt {

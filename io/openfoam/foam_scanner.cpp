@@ -5,7 +5,7 @@
 
 #include "io/bytes/char_set.hpp"
 #include "io/bytes/text.hpp"
-#include "io/tiles/tile_file.hpp"
+#include "io/forms/tile_file.hpp"
 
 namespace pcvt {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "io/bytes/json_writer.hpp"
 #include "io/colours/site_classes.hpp"
+#include "io/forms/finite.hpp"
 #include "io/page/page_parts.hpp"
 #include "io/page/page_text.hpp"
-#include "io/tiles/finite.hpp"
 #include "mesher/plane/tile/tile_valence.hpp"
 
 namespace pcvt {

@@ -1,6 +1,6 @@
 #include "io/pictures/cut_lines.hpp"
 
-#include "io/tiles/finite.hpp"
+#include "io/forms/finite.hpp"
 #include "mesher/plane/tile/tile_edges.hpp"
 
 namespace pcvt {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/tiles/encoded_file.hpp"
-#include "io/tiles/file_options.hpp"
+#include "io/bytes/encoded_file.hpp"
+#include "io/forms/file_options.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "io/colours/colouring.hpp"
-#include "io/tiles/finite.hpp"
+#include "io/forms/finite.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/plane/tile/tile_edges.hpp"

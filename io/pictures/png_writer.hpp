@@ -1,8 +1,8 @@
 #pragma once
 
+#include "io/bytes/encoded_file.hpp"
+#include "io/forms/file_options.hpp"
 #include "io/pictures/periodic_canvas.hpp"
-#include "io/tiles/encoded_file.hpp"
-#include "io/tiles/file_options.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "io/bytes/encoded_file.hpp"
 #include "io/colours/palette.hpp"
 #include "io/forms/space_tile.hpp"
-#include "io/tiles/encoded_file.hpp"
 #include "mesher/plane/geometry/lattice.hpp"
 
 namespace pcvt {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/tiles/encoded_file.hpp"
+#include "io/bytes/encoded_file.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {

@@ -13,10 +13,10 @@
 
 #include "io/colours/colouring.hpp"
 #include "io/colours/palette.hpp"
+#include "io/forms/finite.hpp"
 #include "io/pictures/svg_canvas.hpp"
 #include "io/pictures/svg_domain.hpp"
 #include "io/pictures/svg_legend.hpp"
-#include "io/tiles/finite.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/tiles/file_fields.hpp"
+#include "io/bytes/file_fields.hpp"
 
 namespace pcvt {
 

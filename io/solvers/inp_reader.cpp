@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/file_tile_builder.hpp"
-#include "io/tiles/material_words.hpp"
+#include "io/forms/file_tile_builder.hpp"
+#include "io/forms/material_words.hpp"
 
 namespace pcvt {
 namespace {

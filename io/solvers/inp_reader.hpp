@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "io/tiles/encoded_file.hpp"
-#include "io/tiles/tile_file.hpp"
+#include "io/bytes/encoded_file.hpp"
+#include "io/forms/tile_file.hpp"
 
 namespace pcvt {
 

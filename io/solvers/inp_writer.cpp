@@ -8,17 +8,17 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
+#include "io/forms/finite.hpp"
+#include "io/forms/material_words.hpp"
 #include "io/forms/seam_segments.hpp"
+#include "io/forms/site_notes.hpp"
+#include "io/forms/site_orbits.hpp"
 #include "io/forms/solver_nodes.hpp"
 #include "io/forms/triangle_cells.hpp"
 #include "io/forms/triangle_elements.hpp"
 #include "io/solvers/fixed_width_numbers.hpp"
 #include "io/solvers/inp_fields.hpp"
 #include "io/solvers/inp_sections.hpp"
-#include "io/tiles/finite.hpp"
-#include "io/tiles/material_words.hpp"
-#include "io/tiles/site_notes.hpp"
-#include "io/tiles/site_orbits.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "io/tiles/encoded_file.hpp"
-#include "io/tiles/file_options.hpp"
+#include "io/bytes/encoded_file.hpp"
+#include "io/forms/file_options.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "io/forms/numbered_items.hpp"
 #include "io/solvers/msh_rows.hpp"
-#include "io/tiles/numbered_items.hpp"
 
 namespace pcvt {
 

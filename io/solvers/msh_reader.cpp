@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
+#include "io/forms/file_tile_builder.hpp"
+#include "io/forms/material_words.hpp"
 #include "io/solvers/msh_groups.hpp"
 #include "io/solvers/msh_sections.hpp"
-#include "io/tiles/file_tile_builder.hpp"
-#include "io/tiles/material_words.hpp"
 
 namespace pcvt {
 namespace {

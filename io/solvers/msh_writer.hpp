@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "io/bytes/encoded_file.hpp"
 #include "io/forms/entity_mesh.hpp"
-#include "io/tiles/encoded_file.hpp"
 
 namespace pcvt {
 

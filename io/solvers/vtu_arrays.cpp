@@ -5,7 +5,7 @@
 
 #include "io/bytes/bad_file.hpp"
 #include "io/bytes/text.hpp"
-#include "io/tiles/site_notes.hpp"
+#include "io/forms/site_notes.hpp"
 
 namespace pcvt {
 namespace {

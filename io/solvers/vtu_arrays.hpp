@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/file_fields.hpp"
 #include "io/bytes/xml_scanner.hpp"
 #include "io/forms/element_mesh.hpp"
 #include "io/forms/lattice_numbers.hpp"
-#include "io/tiles/file_fields.hpp"
 
 namespace pcvt {
 

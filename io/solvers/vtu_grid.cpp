@@ -3,7 +3,7 @@
 #include <numeric>
 #include <utility>
 
-#include "io/tiles/site_notes.hpp"
+#include "io/forms/site_notes.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/space/mesh/cell_faces.hpp"
 

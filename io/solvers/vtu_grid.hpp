@@ -49,7 +49,7 @@ struct VtuData {
 ///              the numbers of periods along both, and `SitePositions`; `ShortEdges`, the length
 ///              below which edges of cells were removed, in units of h; for elongated cells
 ///              `Metric`, ratio and degrees, for power cells `SiteWeights`
-///              (io/tiles/site_notes.hpp); with phases `PhaseNames` and `SitePhases`, that of each
+///              (io/forms/site_notes.hpp); with phases `PhaseNames` and `SitePhases`, that of each
 ///              site; with holes `HoleNames` and `HoleEdges` (hole, v0, v1).
 ///
 /// Example usage:

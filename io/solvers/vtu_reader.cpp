@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
+#include "io/forms/file_tile_builder.hpp"
+#include "io/forms/midside_nodes.hpp"
+#include "io/forms/site_notes.hpp"
 #include "io/solvers/vtu_arrays.hpp"
-#include "io/tiles/file_tile_builder.hpp"
-#include "io/tiles/midside_nodes.hpp"
-#include "io/tiles/site_notes.hpp"
 #include "mesher/cells/phase_fractions.hpp"
 
 namespace pcvt {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "io/bytes/encoded_file.hpp"
 #include "io/forms/space_tile.hpp"
-#include "io/tiles/encoded_file.hpp"
 #include "mesher/space/mesh/tetrahedral_mesh.hpp"
 
 namespace pcvt {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/tiles/encoded_file.hpp"
+#include "io/bytes/encoded_file.hpp"
 #include "io/voxels/damask_material.hpp"
 #include "mesher/plane/voxels/voxel_proof.hpp"
 

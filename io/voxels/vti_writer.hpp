@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/tiles/encoded_file.hpp"
+#include "io/bytes/encoded_file.hpp"
 #include "mesher/cells/elastic_choices.hpp"
 #include "mesher/plane/voxels/voxel_proof.hpp"
 

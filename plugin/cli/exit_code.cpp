@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "io/bytes/output_error.hpp"
-#include "io/tiles/tile_file.hpp"
+#include "io/forms/tile_file.hpp"
 #include "mesher/base/error.hpp"
 #include "plugin/cli/terminal/console.hpp"
 #include "plugin/cli/terminal/start_guard.hpp"

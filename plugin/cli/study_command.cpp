@@ -4,9 +4,9 @@
 #include <cstdio>
 
 #include "io/bytes/input_file.hpp"
+#include "io/forms/tile_file.hpp"
 #include "io/outputs/recovery.hpp"
 #include "io/outputs/writable_paths.hpp"
-#include "io/tiles/tile_file.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "plugin/cli/terminal/cancel_signal.hpp"
 #include "plugin/cli/terminal/console.hpp"

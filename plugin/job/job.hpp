@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "io/forms/file_options.hpp"
 #include "io/run_files/inclusion_reader.hpp"
-#include "io/tiles/file_options.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cells/material_choices.hpp"
 #include "mesher/cells/orientations.hpp"

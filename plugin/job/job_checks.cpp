@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/tiles/tile_file.hpp"
+#include "io/forms/tile_file.hpp"
 #include "mesher/base/choices.hpp"
 #include "mesher/plane/symmetry/special_positions.hpp"
 #include "mesher/space/cvt/minimum.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/tiles/encoded_file.hpp"
-#include "io/tiles/tile_file.hpp"
+#include "io/bytes/encoded_file.hpp"
+#include "io/forms/tile_file.hpp"
 
 namespace pcvt::testing {
 

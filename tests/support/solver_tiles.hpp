@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "io/tiles/tile_file.hpp"
+#include "io/forms/tile_file.hpp"
 
 namespace pcvt::testing {
 

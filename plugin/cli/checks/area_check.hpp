@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "io/forms/tile_file.hpp"
 #include "io/run_files/area_reader.hpp"
-#include "io/tiles/tile_file.hpp"
 #include "io/voxels/vti_reader.hpp"
 
 namespace pcvt::cli {

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "io/forms/tile_file.hpp"
 #include "io/run_files/inclusion_reader.hpp"
-#include "io/tiles/tile_file.hpp"
 
 namespace pcvt::cli {
 

@@ -2,8 +2,7 @@
 
 #include "io/bytes/bad_file.hpp"
 #include "io/formats/space_file_proof.hpp"
-#include "io/gltf/glb_mesh_fields.hpp"
-#include "io/gltf/glb_mesh_reader.hpp"
+#include "io/gltf/space_gltf_proof.hpp"
 #include "mesher/base/law_violation.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "plugin/cli/checks/tolerance_check.hpp"
@@ -74,10 +73,9 @@ std::string prove_boundary(const std::vector<EncodedFile>& files) {
 
 std::string prove_triangles(const EncodedFile& file) {
     const GlbSurfaces glb = decode_glb_surfaces(file);
-    const GlbProof proof = prove_glb_surfaces(glb);
-    compare_glb_surfaces(file, glb);
+    const GlbProof proof = prove_glb_surfaces(file, glb);
     return std::to_string(proof.n_triangles) + " triangles in " + counted(proof.n_parts, "part") +
-           (glb.form == SurfaceForm::kCells ? ", each closed" : ", which close together") +
+           (glb.list.form == SurfaceForm::kCells ? ", each closed" : ", which close together") +
            ", volume " + figure(proof.volume) + " (tolerance " + figure(proof.tolerance) + ")";
 }
 

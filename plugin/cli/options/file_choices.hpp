@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "io/tiles/file_options.hpp"
+#include "io/forms/file_options.hpp"
 
 namespace CLI {
 class App;

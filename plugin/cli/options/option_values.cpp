@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/tile_file.hpp"
+#include "io/forms/tile_file.hpp"
 #include "mesher/base/error.hpp"
 #include "plugin/job/job.hpp"
 

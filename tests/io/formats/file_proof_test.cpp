@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "io/gltf/gltf_writer.hpp"
+#include "io/gltf/plane_gltf.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/mesh/outline.hpp"

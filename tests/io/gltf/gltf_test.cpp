@@ -6,7 +6,7 @@
 
 #include "io/bytes/output_error.hpp"
 #include "io/gltf/gltf_reader.hpp"
-#include "io/gltf/gltf_writer.hpp"
+#include "io/gltf/plane_gltf.hpp"
 #include "tests/support/example_lattices.hpp"
 #include "tests/support/glb.hpp"
 #include "tests/support/grid_tile.hpp"

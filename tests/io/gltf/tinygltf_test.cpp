@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <tiny_gltf.h>
 
-#include "io/gltf/gltf_writer.hpp"
+#include "io/gltf/plane_gltf.hpp"
 #include "tests/support/example_lattices.hpp"
 #include "tests/support/grid_tile.hpp"
 

@@ -1,11 +1,11 @@
 #include <gmock/gmock.h>
 
+#include "io/forms/tile_file.hpp"
 #include "io/mpas/mpas_format.hpp"
 #include "io/mpas/mpas_graph.hpp"
 #include "io/mpas/mpas_reader.hpp"
 #include "io/mpas/mpas_writer.hpp"
 #include "io/mpas/netcdf_file.hpp"
-#include "io/tiles/tile_file.hpp"
 #include "mesher/finite_volume/mpas_grid_proof.hpp"
 #include "tests/support/hexagons.hpp"
 #include "tests/support/mutation.hpp"

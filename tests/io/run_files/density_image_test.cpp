@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "io/tiles/tile_file.hpp"
+#include "io/forms/tile_file.hpp"
 #include "mesher/plane/density/density_survey.hpp"
 #include "tests/support/densities.hpp"
 #include "tests/support/png_bytes.hpp"

@@ -5,7 +5,7 @@
 #include <new>
 
 #include "io/bytes/output_error.hpp"
-#include "io/tiles/tile_file.hpp"
+#include "io/forms/tile_file.hpp"
 #include "plugin/job/job.hpp"
 
 namespace pcvt::cli {

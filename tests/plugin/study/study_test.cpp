@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/tiles/tile_file.hpp"
+#include "io/forms/tile_file.hpp"
 #include "mesher/base/error.hpp"
 #include "plugin/study/study_files.hpp"
 #include "plugin/study/study_pictures.hpp"

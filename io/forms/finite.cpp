@@ -1,4 +1,4 @@
-#include "io/tiles/finite.hpp"
+#include "io/forms/finite.hpp"
 
 #include <string>
 

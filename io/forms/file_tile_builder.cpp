@@ -1,12 +1,12 @@
-#include "io/tiles/file_tile_builder.hpp"
+#include "io/forms/file_tile_builder.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
 #include <utility>
 
-#include "io/tiles/material_words.hpp"
-#include "io/tiles/site_orbits.hpp"
+#include "io/forms/material_words.hpp"
+#include "io/forms/site_orbits.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {

@@ -1,4 +1,4 @@
-#include "io/tiles/triangle_fan.hpp"
+#include "io/forms/triangle_fan.hpp"
 
 #include <algorithm>
 #include <cmath>

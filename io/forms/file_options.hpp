@@ -5,8 +5,6 @@
 #include <span>
 
 #include "io/colours/colouring.hpp"
-#include "io/tiles/plane_element.hpp"
-#include "io/tiles/solver_job.hpp"
 #include "mesher/cells/cell_materials.hpp"
 #include "mesher/cells/elastic_choices.hpp"
 #include "mesher/plane/voxels/voxel_grid.hpp"
@@ -24,6 +22,30 @@ struct GltfNodesRow {
 };
 inline constexpr std::array kGltfNodes{GltfNodesRow{GltfNodes::kCells, "cells", 1},
                                        GltfNodesRow{GltfNodes::kOne, "one", 2}};
+
+/// The state of the plane that the elements of a solver's file assume.
+enum class PlaneElement { kStrain, kStress };
+
+/// One row of the table of choices (mesher/base/choices.hpp): the word is how Abaqus and CalculiX
+/// begin the name of the element type.
+struct PlaneElementRow {
+    PlaneElement element;
+    const char* word;
+    int abi_value;
+};
+inline constexpr std::array kPlaneElements{PlaneElementRow{PlaneElement::kStrain, "CPE", 0},
+                                           PlaneElementRow{PlaneElement::kStress, "CPS", 1}};
+
+/// The parts of a solver input besides the mesh: none, or materials and steps that run.
+enum class SolverJob { kNone, kElastic };
+
+/// One row of the table of choices (mesher/base/choices.hpp).
+struct SolverJobRow {
+    SolverJob job;
+    const char* word;
+    int abi_value;
+};
+inline constexpr std::array kSolverJobs{SolverJobRow{SolverJob::kElastic, "elastic", 1}};
 
 inline constexpr int kDefaultPixels = 1024;
 

@@ -1,4 +1,4 @@
-#include "io/tiles/file_fields.hpp"
+#include "io/bytes/file_fields.hpp"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
-#include "io/tiles/numbered_items.hpp"
+#include "io/forms/numbered_items.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "io/tiles/file_tile_builder.hpp"
-#include "io/tiles/midside_nodes.hpp"
+#include "io/forms/file_tile_builder.hpp"
+#include "io/forms/midside_nodes.hpp"
 #include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/law_violation.hpp"
 

@@ -1,9 +1,9 @@
-#include "io/tiles/site_orbits.hpp"
+#include "io/forms/site_orbits.hpp"
 
 #include <algorithm>
 
 #include "io/bytes/bad_file.hpp"
-#include "io/tiles/note_table.hpp"
+#include "io/forms/note_table.hpp"
 
 namespace pcvt {
 

@@ -1,4 +1,4 @@
-#include "io/tiles/note_table.hpp"
+#include "io/forms/note_table.hpp"
 
 #include <algorithm>
 

@@ -3,11 +3,7 @@
 
 #include <cstring>
 
-#include "io/forms/space_surface.hpp"
-#include "io/gltf/glb_mesh_fields.hpp"
-#include "io/gltf/glb_mesh_reader.hpp"
-#include "io/gltf/glb_mesh_writer.hpp"
-#include "io/gltf/gltf_writer.hpp"
+#include "io/gltf/space_gltf_proof.hpp"
 #include "mesher/space/mesh/boundary_surface.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/space_tiles.hpp"
@@ -18,18 +14,21 @@ namespace {
 using ::testing::HasSubstr;
 
 EncodedFile encoded_glb(const SpaceTile& tile, SurfaceForm form = SurfaceForm::kCells) {
-    SurfaceList list = surface_list(tile.mesh, tile.sites, form);
-    return encode_glb_mesh(surface_mesh(std::move(list), SeamForm::kNone), "t.glb").front();
+    return encode_glb_surfaces(surface_list(tile.mesh, tile.sites, form), "t.glb").front();
+}
+
+GlbProof proof_of(const EncodedFile& file) {
+    return prove_glb_surfaces(file, decode_glb_surfaces(file));
 }
 
 TEST(GlbSurfaces, HasANodeForEachCell) {
     const SpaceTile tile = testing::random_space_tile(6);
     const GlbSurfaces glb = decode_glb_surfaces(encoded_glb(tile));
-    ASSERT_EQ(glb.parts.size(), 6U);
-    for (int s = 0; s < 6; ++s) EXPECT_EQ(glb.parts[s].name, "cell_" + std::to_string(s));
-    EXPECT_EQ(glb.sites, tile.sites);
-    EXPECT_EQ(glb.lattice.periods(), tile.mesh.lattice.periods());
-    EXPECT_EQ(glb.form, SurfaceForm::kCells);
+    ASSERT_EQ(glb.groups.size(), 6U);
+    for (int s = 0; s < 6; ++s) EXPECT_EQ(glb.groups[s].name, "cell_" + std::to_string(s));
+    EXPECT_EQ(glb.list.surface.sites, tile.sites);
+    EXPECT_EQ(glb.list.surface.lattice.periods(), tile.mesh.lattice.periods());
+    EXPECT_EQ(glb.list.form, SurfaceForm::kCells);
 }
 
 TEST(GlbSurfaces, IsProvedFromItsBytes) {
@@ -40,8 +39,7 @@ TEST(GlbSurfaces, IsProvedFromItsBytes) {
             const std::vector<EncodedFile> files{encoded_glb(tile, form)};
             EXPECT_EQ(space_file_kind(files), SpaceFileKind::kTriangles);
             prove_own_space_files(files, tile);
-            const GlbProof proof = prove_glb_surfaces(decode_glb_surfaces(files.front()));
-            compare_glb_surfaces(files.front(), decode_glb_surfaces(files.front()));
+            const GlbProof proof = proof_of(files.front());
             EXPECT_NEAR(proof.volume, c.lattice.volume(), proof.tolerance);
         }
     }
@@ -52,7 +50,7 @@ TEST(GlbSurfaces, OfManyCellsHasOneNode) {
     const SpaceTile tile =
         testing::tile_of({"many", cube, uniform_points(cube, kMaxCellNodes + 1, 1)});
     const EncodedFile file = encoded_glb(tile);
-    for (const GlbPart& part : decode_glb_surfaces(file).parts) EXPECT_EQ(part.name, "cells");
+    for (const FaceGroup& group : decode_glb_surfaces(file).groups) EXPECT_EQ(group.name, "cells");
     prove_own_space_files({file}, tile);
 }
 
@@ -70,8 +68,8 @@ TEST(GlbSurfaces, OfAnotherTileIsNoProof) {
 TEST(GlbSurfaces, RefutesOtherNormals) {
     const EncodedFile file = encoded_glb(testing::random_space_tile(3));
     GlbSurfaces glb = decode_glb_surfaces(file);
-    glb.parts[1].normals[4][0] += 1e-3F;
-    EXPECT_THROW(compare_glb_surfaces(file, glb), BadFile);
+    glb.normals[4][0] += 1e-3F;
+    EXPECT_THROW(prove_glb_surfaces(file, glb), BadFile);
 }
 
 TEST(GlbSurfaces, RefutesOtherSites) {
@@ -80,12 +78,12 @@ TEST(GlbSurfaces, RefutesOtherSites) {
         SpaceTile moved = tile;
         moved.sites(s % 3, s) += 1e-4;
         const EncodedFile file = encoded_glb(moved);
-        EXPECT_THROW(compare_glb_surfaces(file, decode_glb_surfaces(file)), NotATile) << s;
+        EXPECT_THROW(proof_of(file), NotATile) << s;
     }
     SpaceTile exchanged = tile;
     exchanged.sites.col(1).swap(exchanged.sites.col(3));
     const EncodedFile file = encoded_glb(exchanged);
-    EXPECT_THROW(compare_glb_surfaces(file, decode_glb_surfaces(file)), NotATile);
+    EXPECT_THROW(proof_of(file), NotATile);
 }
 
 TEST(GlbSurfaces, RefutesMovedCorners) {
@@ -100,7 +98,7 @@ TEST(GlbSurfaces, RefutesMovedCorners) {
         std::memcpy(&x, file.bytes.data() + data + 12 * corner, 4);
         x += 0.01F;
         std::memcpy(damaged.bytes.data() + data + 12 * corner, &x, 4);
-        EXPECT_THROW(prove_glb_surfaces(decode_glb_surfaces(damaged)), NotATile) << corner;
+        EXPECT_THROW(proof_of(damaged), NotATile) << corner;
     }
 }
 

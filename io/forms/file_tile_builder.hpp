@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/numbered_items.hpp"
-#include "io/tiles/site_notes.hpp"
-#include "io/tiles/tile_file.hpp"
+#include "io/forms/numbered_items.hpp"
+#include "io/forms/site_notes.hpp"
+#include "io/forms/tile_file.hpp"
 
 namespace pcvt {
 

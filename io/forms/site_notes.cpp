@@ -1,4 +1,4 @@
-#include "io/tiles/site_notes.hpp"
+#include "io/forms/site_notes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "io/bytes/char_set.hpp"
-#include "io/tiles/note_table.hpp"
-#include "io/tiles/tile_file.hpp"
+#include "io/forms/note_table.hpp"
+#include "io/forms/tile_file.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/plane/tile/site_positions.hpp"
 #include "mesher/plane/tile/tile_edges.hpp"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/tiles/encoded_file.hpp"
+#include "io/bytes/encoded_file.hpp"
 
 namespace pcvt {
 

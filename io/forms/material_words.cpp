@@ -1,9 +1,9 @@
-#include "io/tiles/material_words.hpp"
+#include "io/forms/material_words.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "io/tiles/note_table.hpp"
+#include "io/forms/note_table.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cells/phase_fractions.hpp"
 

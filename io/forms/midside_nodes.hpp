@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/tiles/file_tile_builder.hpp"
+#include "io/forms/file_tile_builder.hpp"
 
 namespace pcvt {
 

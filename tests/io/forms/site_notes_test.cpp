@@ -1,4 +1,4 @@
-#include "io/tiles/site_notes.hpp"
+#include "io/forms/site_notes.hpp"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "io/bytes/text.hpp"
-#include "io/tiles/file_tile_builder.hpp"
+#include "io/forms/file_tile_builder.hpp"
 #include "tests/support/example_lattices.hpp"
 #include "tests/support/power_tiles.hpp"
 

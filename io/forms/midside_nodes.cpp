@@ -1,4 +1,4 @@
-#include "io/tiles/midside_nodes.hpp"
+#include "io/forms/midside_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "io/tiles/encoded_file.hpp"
+#include "io/bytes/encoded_file.hpp"
 
 #include <algorithm>
 
