@@ -72,7 +72,7 @@ std::int32_t append(const plane::Polygon& polygon, std::vector<double>& numbers)
     return PCVT_POLYGON;
 }
 
-InclusionArrays inclusion_arrays(const Tessellation& cells) {
+InclusionArrays inclusion_arrays(const plane::Tessellation& cells) {
     InclusionArrays arrays;
     if (!cells.interfaces) return arrays;
     for (const plane::Inclusion& inclusion : cells.interfaces->shapes) {
@@ -84,7 +84,7 @@ InclusionArrays inclusion_arrays(const Tessellation& cells) {
     return arrays;
 }
 
-std::vector<int> counts_by_sides(const Tessellation& cells) {
+std::vector<int> counts_by_sides(const plane::Tessellation& cells) {
     std::vector<int> counts;
     for (const auto& [sides, count] : plane::histogram(cell_sides(cells))) {
         counts.resize(static_cast<std::size_t>(sides) + 1, 0);
@@ -149,7 +149,7 @@ double energy_bound(const Job& job, int n_sites) {
 
 double Result::energy_bound() const {
     return job_.density ? std::numeric_limits<double>::quiet_NaN()
-                        : pcvt::energy_bound(computed_.cells);
+                        : plane::energy_bound(computed_.cells);
 }
 
 pcvt_sites Result::sites() const {
@@ -187,7 +187,7 @@ pcvt_inclusions Result::inclusions() const {
 pcvt_statistics Result::statistics() const {
     const std::vector<int>& valences =
         valences_.get([&] { return counts_by_sides(computed_.cells); });
-    const Tessellation& cells = computed_.cells;
+    const plane::Tessellation& cells = computed_.cells;
     return {.energy = cells.run.energy,
             .energy_bound = energy_bound(),
             .residual = cells.run.residual,

@@ -5,16 +5,16 @@
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/plane/mesh/cell_measures.hpp"
 #include "mesher/plane/mesh/valence.hpp"
 #include "mesher/plane/symmetry/folded_density.hpp"
+#include "mesher/plane/tessellation/tags.hpp"
 #include "plugin/job/job_checks.hpp"
-#include "plugin/job/job_constraints.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_memory.hpp"
 #include "plugin/job/job_report.hpp"
 #include "plugin/job/job_staging.hpp"
 #include "plugin/job/job_start.hpp"
+#include "plugin/job/job_tessellation.hpp"
 #include "plugin/job/job_tiles.hpp"
 
 namespace pcvt {
@@ -58,7 +58,7 @@ std::optional<double> area_scale(const Job& job) {
 
 RunSummary summarize(const Job& job, const Computation& computation,
                      std::span<const plane::BuiltTile> tiles) {
-    const Tessellation& cells = computation.cells;
+    const plane::Tessellation& cells = computation.cells;
     RunSummary summary;
     summary.run = cells.run;
     summary.n_sites = cells.n_sites();
@@ -110,7 +110,7 @@ void stage(const Job& job, const std::vector<JobFile>& files, const Computation&
 }
 
 /// Evaluated before any file is written, because a host's density ends with its call.
-std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
+std::vector<double> site_densities(const Job& job, const plane::Tessellation& cells) {
     if (!job.density) return {};
     if (job.symmetry) {
         const plane::Density folded =
@@ -122,12 +122,12 @@ std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
 }
 
 void add_materials(const Job& job, Computation& computation) {
-    const CellTable cells = cell_table(plane_mesh(computation.cells, plane::MeshKind::kVoronoi));
     if (job.has_inclusions()) {
         computation.materials = tag_materials(computation.cells);
-        computation.phases = tag_figures(computation.cells, cells);
+        computation.phases = tag_figures(computation.cells);
         return;
     }
+    const CellTable& cells = computation.cells.table();
     computation.materials = choose_materials(job.materials, cells, job.seed);
     computation.phases = phase_figures(job.materials, computation.materials, cells);
 }
@@ -142,8 +142,8 @@ Computation compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
     });
     if (start.cancelled) throw Cancelled{};
     watch.stop(&JobSeconds::optimize);
-    Tessellation cells = tessellate(round ? *round : job, start, monitor,
-                                    [&watch] { watch.stop(&JobSeconds::build); });
+    plane::Tessellation cells = tessellate(round ? *round : job, start, monitor,
+                                           [&watch] { watch.stop(&JobSeconds::build); });
     watch.stop(&JobSeconds::optimize);
     if (cells.run.stop == Stop::kCancelled) throw Cancelled{};
     cells.run.evaluations += start.evaluations;

@@ -21,12 +21,12 @@
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/search/lattice_stability.hpp"
 #include "mesher/plane/symmetry/plane_group.hpp"
+#include "mesher/plane/tessellation/tessellation.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
 #include "mesher/space/geometry/lattice.hpp"
 #include "mesher/torus/coincident_sites.hpp"
 #include "mesher/torus/walls.hpp"
 #include "plugin/job/job_progress.hpp"
-#include "plugin/job/tessellation.hpp"
 
 namespace pcvt {
 
@@ -206,7 +206,7 @@ struct StartFigures {
 struct Computation {
     /// Its evaluations include those of a global search, but not those of the coarser problems of a
     /// coarse start.
-    Tessellation cells;
+    plane::Tessellation cells;
     StartFigures start;
     /// rho at each site outside of holes; empty without a density.
     std::vector<double> site_densities;
@@ -236,13 +236,13 @@ struct RunSummary {
     /// Of jobs with a density.
     std::optional<plane::DensityFigures> density;
     /// Of jobs with areas.
-    std::optional<AreaSummary> areas;
+    std::optional<plane::AreaSummary> areas;
     /// Of jobs with a symmetry: the number of orbits of sites. Else 0.
     int n_orbits = 0;
     /// Of jobs with walls: the sites that lie on them.
     int n_on_walls = 0;
     /// Of jobs with inclusions.
-    std::optional<InterfaceFigures> interfaces;
+    std::optional<plane::InterfaceFigures> interfaces;
     /// Of jobs with phases, one entry each.
     std::vector<PhaseFigures> phases;
     /// Of jobs with orientations.

@@ -8,7 +8,6 @@
 #include "io/bytes/output_error.hpp"
 #include "io/formats/file_proof.hpp"
 #include "mesher/base/workers.hpp"
-#include "mesher/plane/mesh/cell_measures.hpp"
 #include "plugin/job/version.hpp"
 
 namespace pcvt {
@@ -28,9 +27,8 @@ class FileEncoder {
         return write(tile(), tile_options(), path());
     }
     std::vector<EncodedFile> operator()(TorusWriter* write) const {
-        const plane::PeriodicMesh cells =
-            repeated(plane_mesh(result_.cells, plane::MeshKind::kVoronoi), job_.tile.columns,
-                     job_.tile.rows);
+        const plane::PeriodicMesh cells = repeated(result_.cells.mesh(plane::MeshKind::kVoronoi),
+                                                   job_.tile.columns, job_.tile.rows);
         try {
             return write({.cells = cells,
                           .origin = job_.tile.origin,
@@ -68,11 +66,17 @@ class FileEncoder {
 
     CellRows cell_rows() const {
         return {.sites = sites(),
-                .cells = cell_table(mesh_outside_holes(result_.cells, plane::MeshKind::kVoronoi)),
+                .cells = cells(),
                 .weights = site_weights(result_.cells),
                 .materials = materials(),
                 .phases_are_tags = job_.has_inclusions(),
                 .orbits = result_.cells.site_orbits};
+    }
+    /// The measures of the cells, which are freed: tiles are made before files.
+    CellTable cells() const {
+        CellTable table = table_outside_holes(result_.cells);
+        result_.cells.drop_cells();
+        return table;
     }
     /// The run as files state it: equal for equal results.
     std::string history() const {
