@@ -30,7 +30,7 @@ class BadGeometry : public Error {
 };
 
 /// Turns an error of valid arguments into one of the geometry of the result.
-///   const PeriodicMesh mesh = from_geometry([&] { return plane_mesh(cells, kind); });
+///   const PeriodicMesh mesh = from_geometry([&] { return cells.mesh(kind); });
 template <class Make>
 auto from_geometry(const Make& make) {
     try {

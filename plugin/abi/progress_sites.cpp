@@ -1,7 +1,7 @@
 #include "plugin/abi/progress_sites.hpp"
 
 #include "mesher/base/error.hpp"
-#include "plugin/job/tessellation.hpp"
+#include "plugin/job/job_tessellation.hpp"
 
 namespace pcvt::abi {
 namespace {

@@ -71,7 +71,7 @@ std::int32_t append(const plane::Polygon& polygon, std::vector<double>& numbers)
     return PCVT_POLYGON;
 }
 
-InclusionArrays inclusion_arrays(const Tessellation& cells) {
+InclusionArrays inclusion_arrays(const plane::Tessellation& cells) {
     InclusionArrays arrays;
     if (!cells.interfaces) return arrays;
     for (const plane::Inclusion& inclusion : cells.interfaces->shapes) {
@@ -135,7 +135,7 @@ const TileArrays& Result::arrays(const Layout& layout, JobMonitor& monitor) cons
 
 double Result::energy_bound() const {
     return job().density ? std::numeric_limits<double>::quiet_NaN()
-                         : pcvt::energy_bound(computed().cells);
+                         : plane::energy_bound(computed().cells);
 }
 
 pcvt_sites Result::sites() const {
@@ -171,7 +171,7 @@ pcvt_inclusions Result::inclusions() const {
 }
 
 pcvt_statistics Result::statistics() const {
-    const Tessellation& cells = computed().cells;
+    const plane::Tessellation& cells = computed().cells;
     pcvt_statistics view = ComputedJob::statistics(
         energy_bound(), [&] { return plane::histogram(cell_sides(cells)); });
     if (view.n_valences > 6) view.n_hexagons = view.valences[6];

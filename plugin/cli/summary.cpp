@@ -136,7 +136,7 @@ std::string density_lines(const plane::DensityFigures& density) {
                                      figure(density.quadrature_error) + " of their spacing");
 }
 
-std::string area_lines(const Job& job, const AreaSummary& areas) {
+std::string area_lines(const Job& job, const plane::AreaSummary& areas) {
     const std::string scale = areas.scale ? " (each area times " + figure(*areas.scale) + ")" : "";
     return summary_line("areas", job.areas->name + scale + ", diameters with std / mean " +
                                      figure(areas.std_over_mean) +
@@ -149,7 +149,7 @@ std::string area_lines(const Job& job, const AreaSummary& areas) {
                                       ", of a regular hexagon 0.952");
 }
 
-std::string inclusion_text(const InterfaceFigures& figures) {
+std::string inclusion_text(const plane::InterfaceFigures& figures) {
     std::string text = counted(static_cast<int>(figures.shapes.size()), "shape") + ", " +
                        counted(figures.n_chords, "chord") + ", " +
                        counted(figures.n_fixed, "site") + " in pairs beside them";

@@ -16,12 +16,12 @@
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/search/lattice_stability.hpp"
 #include "mesher/plane/symmetry/plane_group.hpp"
+#include "mesher/plane/tessellation/tessellation.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
 #include "mesher/space/geometry/lattice.hpp"
 #include "mesher/torus/coincident_sites.hpp"
 #include "mesher/torus/walls.hpp"
 #include "plugin/job/job_progress.hpp"
-#include "plugin/job/tessellation.hpp"
 
 namespace pcvt {
 

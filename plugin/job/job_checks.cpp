@@ -4,14 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include "io/bytes/nearest_word.hpp"
+#include "io/bytes/text.hpp"
 #include "io/forms/tile_file.hpp"
 #include "mesher/base/choices.hpp"
+#include "mesher/cells/set_names.hpp"
+#include "mesher/plane/interfaces/inclusion_set.hpp"
+#include "mesher/plane/interfaces/interface_nodes.hpp"
 #include "mesher/plane/symmetry/special_positions.hpp"
 #include "mesher/space/cvt/minimum.hpp"
 #include "mesher/space/mesh/short_edges.hpp"
 #include "plugin/job/contradictions.hpp"
-#include "plugin/job/job_constraints.hpp"
-#include "plugin/job/job_start.hpp"
+#include "plugin/job/job_tessellation.hpp"
 
 namespace pcvt {
 namespace {
@@ -117,6 +121,95 @@ void check_symmetry(const Job& job) {
                                       metric_of(job).to_round(job.in_plane().lattice));
     } catch (const InvalidInput& error) {
         throw InvalidInput(std::string("elongated by the aspect: ") + error.what());
+    }
+}
+
+/// @param kind   what has the name, in words.
+/// @param names  of all phases and tags.
+void require_free_name(const std::string& kind, const std::string& name,
+                       const std::vector<std::string>& names) {
+    const std::optional<std::string> set = set_with_name(name, names);
+    if (!set) return;
+    throw InvalidInput(kind + " " + name + " has the name of a set in files (" + *set +
+                       "); rename it");
+}
+
+/// Requires names that no set, group or patch has which files may contain beside those of the
+/// names.
+void check_names(const Job& job) {
+    std::vector<std::string> names;
+    for (const PhaseFraction& phase : job.materials.phases) names.push_back(phase.name);
+    for (const std::string& phase : names) require_free_name("the phase", phase, names);
+    if (!job.inclusions) return;
+    names = job.inclusions->tags;
+    names.emplace_back(kMatrixTag);
+    for (const plane::Inclusion& inclusion : job.inclusions->inclusions) {
+        const std::string where =
+            job.inclusions->name + ":" + std::to_string(inclusion.line) + ": the tag";
+        require_free_name(where, job.inclusions->tags[inclusion.tag - 1], names);
+    }
+}
+
+/// @param tags  of the inclusions.
+void require_hole(const std::string& hole, const std::vector<std::string>& tags) {
+    if (hole == kMatrixTag) {
+        throw InvalidInput("the cells of the matrix are no hole; name the tags of inclusions");
+    }
+    if (std::find(tags.begin(), tags.end(), hole) == tags.end()) {
+        const std::string meant = nearest_word(hole, tags);
+        throw InvalidInput(
+            "no inclusion has the tag " + in_quotes(hole) + " of a hole; " +
+            (meant.empty() ? "the first tag is " + tags.front() : "did you mean " + meant + "?"));
+    }
+}
+
+void check_holes(const Job& job) {
+    if (job.holes.empty()) return;
+    const std::vector<std::string> tags = inclusion_tags(job);
+    for (std::size_t k = 0; k < job.holes.size(); ++k) {
+        require_hole(job.holes[k], tags);
+        if (std::find(job.holes.begin(), job.holes.begin() + k, job.holes[k]) ==
+            job.holes.begin() + k) {
+            continue;
+        }
+        throw InvalidInput("the hole " + job.holes[k] + " is given twice; leave one out");
+    }
+}
+
+/// Of fewer seeds, the placement itself is fast, and names a number of sites that suffices.
+constexpr double kManySeeds = 10'000;
+
+/// Refuses a number of sites that cannot suffice for the outlines of many shapes, before any work.
+void require_sites(const Job& job, double fewest) {
+    if (job.n_sites >= fewest || fewest < kManySeeds) return;
+    throw InvalidInput(
+        std::to_string(job.n_sites) + " sites are too few for the inclusions; take " +
+        std::to_string(static_cast<long>(fewest)) + " or more, the least that their outlines need");
+}
+
+/// Checks the fixed sites and the inclusions of a job, if it has some.
+void check_constraints(const Job& job) {
+    check_names(job);
+    check_holes(job);
+    if (job.in_plane().fixed.cols() > job.n_sites) {
+        throw InvalidInput("there are more fixed sites (" +
+                           std::to_string(job.in_plane().fixed.cols()) + ") than sites (" +
+                           std::to_string(job.n_sites) + "); take more sites");
+    }
+    if (!job.has_inclusions()) return;
+    if (job.fibres) {
+        require_sites(job,
+                      job.fibres->n * fewest_seeds(plane::Circle{.centre = {0, 0}, .radius = 1}));
+        return;
+    }
+    const std::vector<plane::Inclusion>& shapes = job.inclusions->inclusions;
+    double fewest = 0;
+    for (const plane::Inclusion& inclusion : shapes) fewest += fewest_seeds(inclusion.shape);
+    try {
+        require_sites(job, fewest);
+        const plane::InclusionSet set(job.in_plane().lattice, shapes, job.walls);
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(inclusion_source(job) + ": " + error.what());
     }
 }
 

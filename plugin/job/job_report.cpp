@@ -4,6 +4,7 @@
 
 #include "io/bytes/json_writer.hpp"
 #include "plugin/job/job_start.hpp"
+#include "plugin/job/job_tessellation.hpp"
 #include "plugin/job/version.hpp"
 
 namespace pcvt {
@@ -108,7 +109,7 @@ void append_density(JsonWriter& json, const Job& job, const RunSummary& summary)
 
 void append_areas(JsonWriter& json, const Job& job, const RunSummary& summary) {
     if (!summary.areas) return;
-    const AreaSummary& areas = *summary.areas;
+    const plane::AreaSummary& areas = *summary.areas;
     const auto largest = [](double a, double b) { return std::max(a, b); };
     json.object("areas", [&] {
         json.member("law", job.areas->name);
@@ -125,11 +126,11 @@ void append_areas(JsonWriter& json, const Job& job, const RunSummary& summary) {
 
 void append_inclusions(JsonWriter& json, const Job& job, const RunSummary& summary) {
     if (!summary.interfaces) return;
-    const InterfaceFigures& figures = *summary.interfaces;
+    const plane::InterfaceFigures& figures = *summary.interfaces;
     json.object("inclusions", [&] {
-        json.member("source", figures.source);
+        json.member("source", inclusion_source(job));
         json.member("shapes", figures.shapes.size());
-        if (figures.are_drawn && !figures.shapes.empty()) {
+        if (job.fibres && !figures.shapes.empty()) {
             json.list("fibres", figures.shapes, [&](const plane::Inclusion& inclusion) {
                 const auto& [centre, radius] = std::get<plane::Circle>(inclusion.shape);
                 json.value(std::array{centre.x(), centre.y(), radius});

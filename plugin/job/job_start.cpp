@@ -11,6 +11,7 @@
 #include "mesher/plane/search/lattice_stability.hpp"
 #include "mesher/plane/symmetry/folded_density.hpp"
 #include "mesher/space/delaunay/orbit_insertion.hpp"
+#include "plugin/job/job_tessellation.hpp"
 
 namespace pcvt {
 namespace {

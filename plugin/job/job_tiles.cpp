@@ -9,18 +9,6 @@ namespace pcvt {
 
 namespace {
 
-plane::BuiltTile built_tile(const Job& job, const Tessellation& cells, plane::MeshKind kind,
-                            const std::function<void(double)>& progress) {
-    plane::TileOptions options = job.tile;
-    options.kind = kind;
-    options.elongation = cells.elongation;
-    options.walled = cells.walled;
-    options.site_tags = cells.site_tags;
-    options.holes = cells.holes;
-    options.progress = progress;
-    return build_tile(cells.delaunay, options);
-}
-
 /// "building the tile" if the job has one mesh, "building grains, 2 of 3" if it has several.
 std::string words(const std::string& verb, const Job& job, std::size_t k) {
     const std::size_t n = job.meshes.size();
@@ -51,16 +39,21 @@ bool needs_tiles(const Job& job, const std::vector<JobFile>& files) {
                        [](const JobFile& file) { return file.format->needs_tile(); });
 }
 
-std::vector<plane::BuiltTile> proved_tiles(const Job& job, const Tessellation& cells,
+std::vector<plane::BuiltTile> proved_tiles(const Job& job, const plane::Tessellation& cells,
                                            JobMonitor& monitor) {
+    // Figures of the run need the table, and a tile takes the cells.
+    if (cells.areas || cells.elongation || cells.walled) cells.table();
+    plane::TileOptions options = job.tile;
     std::vector<plane::BuiltTile> tiles;
     tiles.reserve(job.meshes.size());
     for_each_mesh(job, monitor, Phase::kBuilding, "building", [&](std::size_t k) {
-        const auto progress = [&](double share) {
+        options.kind = job.meshes[k];
+        options.progress = [&](double share) {
             monitor.advance((double(k) + share) / double(job.meshes.size()));
         };
-        tiles.push_back(built_tile(job, cells, job.meshes[k], progress));
+        tiles.push_back(build_tile(cells, options));
     });
+    cells.drop_cells();
     for_each_mesh(job, monitor, Phase::kProving, "proving",
                   [&](std::size_t k) { verify_generated_tile(tiles[k].tile); });
     return tiles;

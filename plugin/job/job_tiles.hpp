@@ -13,7 +13,7 @@ bool needs_tiles(const Job& job, const std::vector<JobFile>& files);
 /// Builds the meshes of a job and then proves them; tile k belongs to job.meshes[k].
 /// @throws LimitExceeded  grains too fine, or a piece of a cell too thin for them.
 /// @throws InternalError  a tile breaks its laws: a fault of pcvt.
-std::vector<plane::BuiltTile> proved_tiles(const Job& job, const Tessellation& cells,
+std::vector<plane::BuiltTile> proved_tiles(const Job& job, const plane::Tessellation& cells,
                                            JobMonitor& monitor);
 
 }  // namespace pcvt

@@ -6,11 +6,11 @@
 
 #include "io/formats/file_proof.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/plane/mesh/cell_measures.hpp"
 #include "mesher/plane/mesh/valence.hpp"
 #include "mesher/plane/symmetry/folded_density.hpp"
-#include "plugin/job/job_constraints.hpp"
+#include "mesher/plane/tessellation/tags.hpp"
 #include "plugin/job/job_start.hpp"
+#include "plugin/job/job_tessellation.hpp"
 #include "plugin/job/job_tiles.hpp"
 #include "plugin/job/version.hpp"
 
@@ -26,7 +26,7 @@ std::optional<double> area_scale(const Job& job) {
 }
 
 /// Adds the figures of the cells to the summary.
-void add_figures(const Job& job, const Tessellation& cells, RunSummary& summary) {
+void add_figures(const Job& job, const plane::Tessellation& cells, RunSummary& summary) {
     summary.n_sites = cells.n_sites();
     if (!cells.density) summary.energy_bound = energy_bound(cells);
     summary.n_mirrors = cells.counts.n_mirrors;
@@ -42,7 +42,7 @@ void add_figures(const Job& job, const Tessellation& cells, RunSummary& summary)
 }
 
 /// Evaluated before any file is written, because a host's density ends with its call.
-std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
+std::vector<double> site_densities(const Job& job, const plane::Tessellation& cells) {
     if (!job.density) return {};
     const plane::Lattice& lattice = job.in_plane().lattice;
     const plane::Density density =
@@ -52,12 +52,12 @@ std::vector<double> site_densities(const Job& job, const Tessellation& cells) {
 }
 
 void add_materials(const Job& job, Computation<PlaneWorld>& computation) {
-    const CellTable cells = cell_table(plane_mesh(computation.cells, plane::MeshKind::kVoronoi));
     if (job.has_inclusions()) {
         computation.materials = tag_materials(computation.cells);
-        computation.phases = tag_figures(computation.cells, cells);
+        computation.phases = tag_figures(computation.cells);
         return;
     }
+    const CellTable& cells = computation.cells.table();
     computation.materials = choose_materials(job.materials, cells, job.seed);
     computation.phases = phase_figures(job.materials, computation.materials, cells);
 }
@@ -96,9 +96,8 @@ class PlaneContent {
         return write(tile(file), tile_options(file), file.path());
     }
     std::vector<EncodedFile> encode(const JobFile& file, TorusWriter* write) const {
-        const plane::PeriodicMesh cells =
-            repeated(plane_mesh(computation_.cells, plane::MeshKind::kVoronoi), job_.tile.columns,
-                     job_.tile.rows);
+        const plane::PeriodicMesh cells = repeated(
+            computation_.cells.mesh(plane::MeshKind::kVoronoi), job_.tile.columns, job_.tile.rows);
         const Torus torus{.cells = cells,
                           .origin = job_.tile.origin,
                           .site_densities = computation_.site_densities,
@@ -135,13 +134,18 @@ class PlaneContent {
     }
 
     CellRows cell_rows() const {
-        return {
-            .sites = sites(),
-            .cells = cell_table(mesh_outside_holes(computation_.cells, plane::MeshKind::kVoronoi)),
-            .weights = site_weights(computation_.cells),
-            .materials = computation_.materials,
-            .phases_are_tags = job_.has_inclusions(),
-            .orbits = computation_.cells.site_orbits};
+        return {.sites = sites(),
+                .cells = cells(),
+                .weights = site_weights(computation_.cells),
+                .materials = computation_.materials,
+                .phases_are_tags = job_.has_inclusions(),
+                .orbits = computation_.cells.site_orbits};
+    }
+    /// The measures of the cells, which are freed: tiles are made before files.
+    CellTable cells() const {
+        CellTable table = table_outside_holes(computation_.cells);
+        computation_.cells.drop_cells();
+        return table;
     }
     /// The run as files state it: equal for equal results.
     std::string history() const {
@@ -189,8 +193,8 @@ Computation<PlaneWorld> PlaneWorld::compute(const Job& job, JobMonitor& monitor,
     });
     if (start.cancelled) throw Cancelled{};
     watch.stop(&JobSeconds::optimize);
-    Tessellation cells = tessellate(round ? *round : job, start, monitor,
-                                    [&watch] { watch.stop(&JobSeconds::build); });
+    plane::Tessellation cells = tessellate(round ? *round : job, start, monitor,
+                                           [&watch] { watch.stop(&JobSeconds::build); });
     watch.stop(&JobSeconds::optimize);
     if (cells.run.stop == Stop::kCancelled) throw Cancelled{};
     cells.run.evaluations += start.evaluations;

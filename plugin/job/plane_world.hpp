@@ -14,7 +14,7 @@ namespace pcvt {
 /// Example usage:
 ///   const std::optional<Computation<PlaneWorld>> computed = compute_job<PlaneWorld>(job, {});
 struct PlaneWorld {
-    using Cells = Tessellation;
+    using Cells = plane::Tessellation;
     using Tiles = std::vector<plane::BuiltTile>;
 
     /// Requires that the files take the choices of the job.

@@ -4,11 +4,11 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "plugin/job/job_checks.hpp"
-#include "plugin/job/job_constraints.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_memory.hpp"
 #include "plugin/job/job_report.hpp"
 #include "plugin/job/job_staging.hpp"
+#include "plugin/job/job_tessellation.hpp"
 #include "plugin/job/plane_world.hpp"
 #include "plugin/job/space_world.hpp"
 #include "plugin/job/stopwatch.hpp"

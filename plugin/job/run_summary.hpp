@@ -13,9 +13,9 @@
 #include "mesher/optimize/minimum.hpp"
 #include "mesher/optimize/run_statistics.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
+#include "mesher/plane/tessellation/tessellation.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
 #include "mesher/space/proof/polyhedral_proof.hpp"
-#include "plugin/job/tessellation.hpp"
 
 namespace pcvt {
 
@@ -72,13 +72,13 @@ struct RunSummary {
     /// Of jobs with a density.
     std::optional<plane::DensityFigures> density = {};
     /// Of jobs with areas.
-    std::optional<AreaSummary> areas = {};
+    std::optional<plane::AreaSummary> areas = {};
     /// Of jobs with a symmetry: the number of orbits of sites. Else 0.
     int n_orbits = 0;
     /// Of jobs with walls: the sites that lie on them.
     int n_on_walls = 0;
     /// Of jobs with inclusions.
-    std::optional<InterfaceFigures> interfaces = {};
+    std::optional<plane::InterfaceFigures> interfaces = {};
     /// Of jobs with phases, one entry each.
     std::vector<PhaseFigures> phases = {};
     /// Of jobs with orientations.

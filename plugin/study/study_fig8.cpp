@@ -4,7 +4,6 @@
 #include "io/bytes/text.hpp"
 #include "mesher/optimize/run_statistics.hpp"
 #include "mesher/plane/cvt/clipped_cvt.hpp"
-#include "plugin/job/tessellation.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
 
@@ -46,10 +45,10 @@ StudyRow fig8_row(const std::string& panel, const RunStatistics& run, const plan
 StudyRow periodic_row(const std::string& panel, const plane::Points& start,
                       const plane::CvtOptions& options) {
     const plane::CvtResult result = compute_cvt(unit_square(), start, options);
-    return fig8_row(
-        panel, result.run,
-        wrapped_sites({.delaunay = result.delaunay, .run = result.run, .counts = result.counts},
-                      plane::Vec2::Zero()));
+    return fig8_row(panel, result.run,
+                    plane::wrapped_sites(
+                        {.delaunay = result.delaunay, .run = result.run, .counts = result.counts},
+                        plane::Vec2::Zero()));
 }
 
 std::vector<StudyRow> run_fig8(int n, int /*run*/, std::uint64_t seed) {

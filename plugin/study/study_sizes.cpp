@@ -7,7 +7,7 @@
 #include "io/bytes/text.hpp"
 #include "io/pictures/plot_svg.hpp"
 #include "mesher/cells/target_areas.hpp"
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 #include "mesher/plane/mesh/cell_measures.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "plugin/study/study_pictures.hpp"
@@ -47,7 +47,7 @@ std::vector<StudyRow> rows_of_law(const StudiedLaw& law, int n, std::uint64_t se
         scaled_areas(draw_areas(parse_area_law(law.word), n, seed), n, unit.area());
     const plane::AreaCvtResult result =
         compute_area_cvt(unit, uniform_points(unit, n, seed),
-                         {.areas = areas, .centroidal_steps = kCentroidalSteps});
+                         {.areas = areas, .run = {.max_iterations = kCentroidalSteps}});
     const CellTable cells = cell_table(cell_mesh(result.delaunay));
     std::vector<double> wanted;
     std::vector<double> reached;

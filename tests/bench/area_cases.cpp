@@ -1,5 +1,5 @@
 #include "mesher/cells/target_areas.hpp"
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 #include "tests/bench/cases.hpp"
 
 namespace pcvt::bench {
@@ -65,7 +65,7 @@ void add_grains(const Input& input) {
         const Eigen::VectorXd areas = grain_areas(input);
         for ([[maybe_unused]] auto _ : state) {
             const plane::AreaCvtResult result = compute_area_cvt(
-                input.lattice, input.sites(), {.areas = areas, .centroidal_steps = 5});
+                input.lattice, input.sites(), {.areas = areas, .run = {.max_iterations = 5}});
             state.counters["error"] = result.areas.largest_relative_error;
         }
     });

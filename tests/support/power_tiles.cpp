@@ -17,7 +17,7 @@ plane::AreaCvtResult power_cells(const plane::Lattice& lattice, int n, int seed,
     const AreaLaw law = parse_area_law(*shape.law == '\0' ? "equal" : shape.law);
     return compute_area_cvt(round, points,
                             {.areas = scaled_areas(draw_areas(law, n, seed), n, lattice.area()),
-                             .centroidal_steps = centroidal_steps});
+                             .run = {.max_iterations = centroidal_steps}});
 }
 
 plane::Tile power_tile(const plane::Lattice& lattice, int n, int seed, const CellShape& shape,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
 
 namespace pcvt::testing {

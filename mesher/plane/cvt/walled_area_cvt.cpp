@@ -41,7 +41,7 @@ WalledAreaCvt compute_walled_area_cvt(const Lattice& lattice, Walls walls, WallC
     const WallRound round = [&](const SymmetricSites& sites,
                                 const RunStatistics& before) -> WallRoundResult {
         of_torus.areas = areas_on_torus(sites, options.areas, start.n_images());
-        of_torus.progress = progress_between_walls(options.progress, start, before);
+        of_torus.run.progress = progress_between_walls(options.run.progress, start, before);
         torus.emplace(compute_area_cvt(sites, of_torus));
         add_counts(torus->areas, figures);
         figures = torus->areas;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 #include "mesher/plane/cvt/wall_rounds.hpp"
 
 namespace pcvt::plane {
@@ -23,7 +23,8 @@ struct WalledAreaCvt {
 ///   const Lattice box = Lattice::rectangle(2, 1);
 ///   const Eigen::VectorXd areas = scaled_areas(draw_areas(law, n, seed), n, box.area());
 ///   const WalledAreaCvt grains = compute_walled_area_cvt(
-///       box, Walls::kXY, WallCells::kWhole, points, {.areas = areas, .centroidal_steps = 5});
+///       box, Walls::kXY, WallCells::kWhole, points, {.areas = areas, .run = {.max_iterations =
+///       5}});
 ///
 /// Half cells come about in several runs (run_wall_rounds()), each with the centroidal steps of the
 /// options. Laws, tested by number:

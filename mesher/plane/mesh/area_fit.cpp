@@ -10,7 +10,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/cells/laplacian_solver.hpp"
 #include "mesher/cells/weight_orbits.hpp"
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 #include "mesher/plane/geometry/dual_mean.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/geometry/sites.hpp"

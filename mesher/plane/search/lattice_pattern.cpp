@@ -199,4 +199,10 @@ int pattern_site(const HermiteForm& form, std::int64_t i, std::int64_t j) {
     return static_cast<int>(wrapped * d + remainder_of(column - (row - wrapped) / a * b, d));
 }
 
+void map_back(const Metric& metric, LatticePattern& pattern) {
+    for (Lattice* lattice : {&pattern.period, &pattern.basis}) {
+        *lattice = {metric.from_round(lattice->a()), metric.from_round(lattice->b())};
+    }
+}
+
 }  // namespace pcvt::plane

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/plane/geometry/lattice.hpp"
+#include "mesher/plane/geometry/metric.hpp"
 
 namespace pcvt::plane {
 
@@ -66,5 +67,8 @@ Points pattern_points(const LatticePattern& pattern);
 /// period vectors.
 /// @pre (i, j) is a vector of the lattice.
 int pattern_site(const HermiteForm& form, std::int64_t i, std::int64_t j);
+
+/// Maps the periods and the basis of a pattern in the round space of a metric back to the plane.
+void map_back(const Metric& metric, LatticePattern& pattern);
 
 }  // namespace pcvt::plane

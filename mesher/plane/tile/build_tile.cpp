@@ -178,8 +178,11 @@ PeriodicMesh without_shortest(PeriodicMesh cells, const TileOptions& options, do
     return without_short_edges(cells, shortest * h, still_vertices(options, cells));
 }
 
-/// The cells or triangles of one domain.
+/// The cells of one domain, or the triangles of the torus.
 PeriodicMesh domain_mesh(const PeriodicDelaunay& delaunay, const TileOptions& options) {
+    if (options.kind != MeshKind::kDelaunay && options.walled) {
+        return part_between_walls(cell_mesh(delaunay), *options.walled);
+    }
     const bool grains = options.kind == MeshKind::kGrains;
     PeriodicMesh domain = periodic_mesh(delaunay, grains ? MeshKind::kVoronoi : options.kind);
     if (const auto& elongation = options.elongation) {
@@ -236,7 +239,7 @@ TorusMesh walled_torus_mesh(const TileOptions& options, PeriodicMesh domain, dou
                             const Eigen::VectorXd& weights, TileFigures& figures) {
     if (options.kind == MeshKind::kDelaunay) return torus_mesh(options, std::move(domain), h);
     const WalledDomain& walled = *options.walled;
-    PeriodicMesh cells = part_between_walls(std::move(domain), walled);
+    PeriodicMesh cells = std::move(domain);
     PeriodicMesh joined = cells;
     if (options.kind == MeshKind::kGrains) joined.whole_sides = cell_sides(joined);
     const double shortest = shortest_edge(options);
@@ -295,9 +298,13 @@ LaidOut lay_out(const TileOptions& options, TorusMesh torus, double h, TileFigur
 }  // namespace
 
 BuiltTile build_tile(const PeriodicDelaunay& delaunay, const TileOptions& options) {
+    return build_tile(domain_mesh(delaunay, options), delaunay, options);
+}
+
+BuiltTile build_tile(PeriodicMesh domain, const PeriodicDelaunay& delaunay,
+                     const TileOptions& options) {
     const double h = delaunay.sites().spacing();
     TileFigures figures{.kind = options.kind};
-    PeriodicMesh domain = domain_mesh(delaunay, options);
     const bool is_power = delaunay.weights().size() > 0 && options.kind != MeshKind::kDelaunay;
     TorusMesh torus;
     if (options.walled) {

@@ -103,4 +103,9 @@ struct BuiltTile {
 /// @throws LimitExceeded  grains too fine, or a piece of a cell too thin for them.
 BuiltTile build_tile(const PeriodicDelaunay& delaunay, const TileOptions& options);
 
+/// The same from the cells of the triangulation, in the plane of the user and with walls those
+/// between them (part_between_walls()), or, of the kind kDelaunay, from its triangles.
+BuiltTile build_tile(PeriodicMesh domain, const PeriodicDelaunay& delaunay,
+                     const TileOptions& options);
+
 }  // namespace pcvt::plane

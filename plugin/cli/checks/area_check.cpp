@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "mesher/cells/target_areas.hpp"
-#include "mesher/plane/areas/cell_areas.hpp"
+#include "mesher/plane/cvt/cell_areas.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/tile/face_polygon.hpp"
 #include "plugin/cli/terminal/console.hpp"

@@ -5,7 +5,7 @@
 #include "io/voxels/vti_reader.hpp"
 #include "io/voxels/vti_writer.hpp"
 #include "mesher/cells/target_areas.hpp"
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 #include "mesher/plane/proof/validate.hpp"
 
 namespace pcvt {

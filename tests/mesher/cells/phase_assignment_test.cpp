@@ -9,7 +9,7 @@
 #include <random>
 
 #include "mesher/cells/target_areas.hpp"
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/mesh/cell_measures.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
@@ -30,7 +30,7 @@ CellTable cells_of(const std::string& law, const Lattice& lattice, int n, std::u
     }
     const Eigen::VectorXd areas =
         scaled_areas(draw_areas(parse_area_law(law), n, seed), n, lattice.area());
-    const AreaCvtOptions options{.areas = areas, .centroidal_steps = 5};
+    const AreaCvtOptions options{.areas = areas, .run = {.max_iterations = 5}};
     return cell_table(cell_mesh(compute_area_cvt(lattice, points, options).delaunay));
 }
 

@@ -10,7 +10,6 @@
 #include "mesher/plane/geometry/domain.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/grains/grains.hpp"
-#include "mesher/plane/mesh/cell_measures.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_tiles.hpp"
 #include "plugin/job/plane_world.hpp"
@@ -191,7 +190,7 @@ TEST(JobAreas, CellsHaveTheAreasExactly) {
         const RunStatistics& run = computed->cells.run;
         EXPECT_EQ(run.stop,
                   run.residual <= job.run.tolerance ? Stop::kConverged : Stop::kIterationLimit);
-        const CellTable table = cell_table(plane_mesh(computed->cells, plane::MeshKind::kVoronoi));
+        const CellTable& table = computed->cells.table();
         const Eigen::VectorXd targets = wished(job);
         const double tolerance = std::max(1e-10, computed->cells.areas->rounding);
         for (int s = 0; s < job.n_sites; ++s) {
@@ -202,7 +201,7 @@ TEST(JobAreas, CellsHaveTheAreasExactly) {
 }
 
 /// The power distance of p from the nearest image of each site, in the metric of the cells.
-std::vector<double> power_distances(const Tessellation& cells, const plane::Vec2& p) {
+std::vector<double> power_distances(const plane::Tessellation& cells, const plane::Vec2& p) {
     const plane::Sites& sites = cells.delaunay.sites();
     const plane::Lattice& reduced = sites.reduction().reduced;
     const Eigen::VectorXd& weights = cells.delaunay.weights();
@@ -233,7 +232,7 @@ TEST(JobAreas, CellsAreThoseOfBruteForceInTheMetric) {
             continue;
         }
         std::mt19937_64 random(seed);
-        const plane::PeriodicMesh mesh = plane_mesh(computed->cells, plane::MeshKind::kVoronoi);
+        const plane::PeriodicMesh mesh = computed->cells.mesh(plane::MeshKind::kVoronoi);
         EXPECT_EQ(mesh.lattice.a(), job.in_plane().lattice.a());
         const double rounding = 1e-7 * job.in_plane().lattice.area() / job.n_sites;
         for (int f = 0; f < mesh.n_faces(); ++f) {
@@ -263,7 +262,7 @@ TEST(JobAreas, SitesOfAFileKeepTheirNumbersAndPlaces) {
         const plane::Vec2 inside = p + job.in_plane().lattice.translation(domain.offset_into(p));
         EXPECT_LT((sites.col(s) - inside).norm(), 1e-12);
     }
-    const CellTable table = cell_table(plane_mesh(computed.cells, plane::MeshKind::kVoronoi));
+    const CellTable& table = computed.cells.table();
     EXPECT_NEAR(table.measure[49] / table.measure[0], 3, 1e-8);
 }
 

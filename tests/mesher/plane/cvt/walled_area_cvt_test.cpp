@@ -9,7 +9,7 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/cells/target_areas.hpp"
-#include "mesher/plane/areas/cell_areas.hpp"
+#include "mesher/plane/cvt/cell_areas.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "mesher/plane/mesh/walled_mesh.hpp"
@@ -69,9 +69,9 @@ WalledJob random_job(int k) {
                   .walls = kAllWalls[random() % 3],
                   .points = {},
                   .options = {}};
-    job.options.centroidal_steps = std::array{0, 5, -1}[random() % 3];
+    job.options.run.max_iterations = std::array{0, 5, -1}[random() % 3];
     job.options.areas = wished_areas(kLaws[random() % 4], job.lattice, n, random);
-    job.points = job.options.centroidal_steps == 0
+    job.points = job.options.run.max_iterations == 0
                      ? points_near_walls(job.lattice, job.walls, n, random)
                      : uniform_points(job.lattice, n, random());
     return job;
@@ -178,7 +178,7 @@ TEST(WalledAreaCvt, SlowRandomJobsGiveTheCellsOfHalfPlanesInTheWishedAreas) {
         n_rounding += !areas.converged;
         EXPECT_LE(farthest_beyond_walls(result), 1e-9);
         EXPECT_LE(compare_with_half_planes(job, result), 10 * bound);
-        if (job.options.centroidal_steps < 0) {
+        if (job.options.run.max_iterations < 0) {
             EXPECT_EQ(result.torus.run.stop, Stop::kConverged);
         }
     }
@@ -218,7 +218,7 @@ TEST(WalledAreaCvt, SlowHalvesHaveTheirAreasBetweenTheWalls) {
     for (int k = 0; k < 60; ++k) {
         SCOPED_TRACE("case " + std::to_string(k));
         WalledJob job = random_job(k);
-        if (job.options.centroidal_steps == 0) job.options.centroidal_steps = 3;
+        if (job.options.run.max_iterations == 0) job.options.run.max_iterations = 3;
         job.cells = WallCells::kHalf;
         try {
             const WalledAreaCvt result = computed(job);
@@ -241,7 +241,7 @@ TEST(WalledAreaCvt, EachTileIsProvedAndHasTheAreas) {
             const Lattice lattice = Lattice::rectangle(2, 1);
             WalledJob job{lattice, walls, cells, uniform_points(lattice, 60, 3), {}};
             job.options.areas = wished_areas("lognormal:0.42", lattice, 60, random);
-            job.options.centroidal_steps = 5;
+            job.options.run.max_iterations = 5;
             const WalledAreaCvt result = computed(job);
             for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kGrains}) {
                 for (const double short_edges : {0.0, 0.15}) {
@@ -280,7 +280,7 @@ TEST(WalledAreaCvt, NarrowHalvesKeepTheirSidesWithoutShortEdges) {
         WalledJob job{
             lattice, Walls::kXY, WallCells::kHalf, uniform_points(lattice, 125, seed), {}};
         job.options.areas = wished_areas("lognormal:0.42", lattice, 125, random);
-        job.options.centroidal_steps = 1;
+        job.options.run.max_iterations = 1;
         const WalledAreaCvt result = computed(job);
         const BuiltTile built =
             build_tile(result.torus.delaunay, {.short_edges = 0.1, .walled = result.domain});
@@ -315,10 +315,10 @@ TEST(WalledAreaCvt, SlowEveryBitIsTheSameForAnyNumberOfThreads) {
     const Lattice lattice = Lattice::rectangle(2, 1);
     WalledJob job{lattice, Walls::kXY, WallCells::kWhole, uniform_points(lattice, 9000, 1), {}};
     job.options.areas = wished_areas("gamma:0.3", lattice, 9000, random);
-    job.options.centroidal_steps = 1;
+    job.options.run.max_iterations = 1;
     const WalledAreaCvt one = computed(job);
     for (const int n_threads : {2, 4}) {
-        job.options.n_threads = n_threads;
+        job.options.run.n_threads = n_threads;
         const WalledAreaCvt several = computed(job);
         EXPECT_EQ(one.torus.delaunay.weights(), several.torus.delaunay.weights());
         EXPECT_EQ(one.torus.delaunay.sites().coordinates(),
@@ -331,7 +331,7 @@ TEST(WalledAreaCvt, NumberingByColumnsSortsTheSites) {
     const Points points = uniform_points(box, 50, 3);
     AreaCvtOptions options;
     options.areas = Eigen::VectorXd::Constant(50, box.area() / 50);
-    options.centroidal_steps = 0;
+    options.run.max_iterations = 0;
     options.numbering = Numbering::kByColumns;
     const WalledAreaCvt cvt =
         compute_walled_area_cvt(box, Walls::kY, WallCells::kWhole, points, options);
@@ -343,10 +343,10 @@ TEST(WalledAreaCvt, FiguresCountTheWorkOfAllRounds) {
     const Lattice box = Lattice::rectangle(1, 1);
     AreaCvtOptions options;
     options.areas = Eigen::VectorXd::Constant(60, box.area() / 60);
-    options.centroidal_steps = 5;
+    options.run.max_iterations = 5;
     int n_steps = 0;
     int last = 0;
-    options.progress = [&](const Progress& progress) {
+    options.run.progress = [&](const Progress& progress) {
         n_steps += progress.iteration != last;
         last = progress.iteration;
         return true;
@@ -368,7 +368,7 @@ TEST(WalledAreaCvt, SlowHalvesInNarrowBoxesShareNoCorner) {
         const Lattice box = Lattice::rectangle(1, ratio);
         AreaCvtOptions options;
         options.areas = Eigen::VectorXd::Constant(n, box.area() / n);
-        options.centroidal_steps = 1;
+        options.run.max_iterations = 1;
         try {
             const WalledAreaCvt cvt = compute_walled_area_cvt(
                 box, Walls::kXY, WallCells::kHalf, uniform_points(box, n, seed), options);

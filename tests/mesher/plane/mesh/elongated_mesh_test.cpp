@@ -4,7 +4,7 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/cells/target_areas.hpp"
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 #include "mesher/plane/mesh/cell_measures.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "mesher/plane/proof/generated_tile.hpp"
@@ -56,7 +56,7 @@ TEST(ElongatedMesh, TilesAreProvedInTheMetric) {
             scaled_areas(draw_areas(parse_area_law("lognormal:0.42"), 30, 1), 30, lattice.area());
         const AreaCvtResult result = compute_area_cvt(
             metric.to_round(lattice), metric.to_round(uniform_points(lattice, 30, 2)),
-            {.areas = areas, .centroidal_steps = 3});
+            {.areas = areas, .run = {.max_iterations = 3}});
         for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay, MeshKind::kGrains}) {
             SCOPED_TRACE(name);
             TileOptions options{.kind = kind};

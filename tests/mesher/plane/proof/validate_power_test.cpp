@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "mesher/cells/target_areas.hpp"
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/proof/site_labels.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
@@ -32,7 +32,7 @@ struct PowerTile {
               lattice, uniform_points(lattice, n, 3),
               {.areas =
                    scaled_areas(draw_areas(parse_area_law("gamma:0.4"), n, 1), n, lattice.area()),
-               .centroidal_steps = steps})),
+               .run = {.max_iterations = steps}})),
           tile(build_tile(result.delaunay, {.kind = kind}).tile),
           points(2, n),
           weights(result.delaunay.weights()) {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "mesher/cells/target_areas.hpp"
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 #include "tests/support/lattices.hpp"
 #include "tests/support/special_sites.hpp"
 
@@ -22,7 +22,7 @@ PeriodicDelaunay diagram(const Lattice& lattice, int n, const char* law, const M
     const Points points = uniform_points(round, n, seed);
     const Eigen::VectorXd areas =
         scaled_areas(draw_areas(parse_area_law(law), n, seed), n, round.area());
-    return compute_area_cvt(round, points, {.areas = areas, .centroidal_steps = 2}).delaunay;
+    return compute_area_cvt(round, points, {.areas = areas, .run = {.max_iterations = 2}}).delaunay;
 }
 
 /// The power distances of a point to the nearest image of each site, from 9 x 9 images of the

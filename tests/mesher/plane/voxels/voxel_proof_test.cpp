@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "mesher/cells/target_areas.hpp"
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 #include "mesher/plane/proof/validate.hpp"
 
 namespace pcvt::plane {

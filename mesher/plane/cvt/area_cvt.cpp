@@ -1,4 +1,4 @@
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 
 #include <cmath>
 #include <optional>
@@ -115,7 +115,7 @@ RunStatistics run_centroidal_steps(Objective& objective, const SizeFigures& figu
     for (int step = 0;; ++step) {
         if (!objective.evaluate(direction, step == 0 ? 0 : 1, here)) return run;
         objective.accept();
-        run = {.stop = stop_after_steps(here, figures, options.tolerance),
+        run = {.stop = stop_after_steps(here, figures, options.run.tolerance),
                .iterations = step,
                .evaluations = step + 1,
                .energy = here.value,
@@ -125,7 +125,7 @@ RunStatistics run_centroidal_steps(Objective& objective, const SizeFigures& figu
             run.stop = Stop::kCancelled;
             return run;
         }
-        if (step == options.centroidal_steps) return run;
+        if (step == options.run.max_iterations) return run;
         objective.lloyd_step(here, direction);
     }
 }
@@ -137,11 +137,12 @@ RunStatistics minimize(AreaObjective& all, const OrbitEmbedding* orbits, double 
     std::optional<SymmetricObjective> symmetric;
     if (orbits != nullptr) symmetric.emplace(all, *orbits);
     Objective& objective = symmetric ? static_cast<Objective&>(*symmetric) : all;
-    if (options.centroidal_steps >= 0) {
+    if (options.run.max_iterations >= 0) {
         return run_centroidal_steps(objective, all.figures(), options, progress);
     }
-    OptimizerOptions optimizer{
-        .tolerance = options.tolerance, .max_move = kLargestMove * spacing, .progress = progress};
+    OptimizerOptions optimizer{.tolerance = options.run.tolerance,
+                               .max_move = kLargestMove * spacing,
+                               .progress = progress};
     RunStatistics run = minimize_lbfgs(objective, optimizer, workers).run;
     if (run.stop == Stop::kConverged && !all.figures().converged) run.stop = Stop::kStalled;
     return run;
@@ -174,17 +175,17 @@ AreaCvtResult minimized(MovingDelaunay delaunay, const TiedSites* tied,
     for (SiteId s = 0; s < n; ++s) areas[s] = options.areas[delaunay.original_id(s)];
     areas *= delaunay.frame().ax * delaunay.frame().by / areas.sum();
     // Minimise.
-    Workers workers(options.n_threads);
+    Workers workers(options.run.n_threads);
     AreaObjective objective(delaunay, areas, tied ? tied->weights : WeightOrbits(),
                             options.newton_progress, workers);
     const double value_unit = std::pow(unit, 4);
     const std::function<Points()> positions = [&delaunay] { return delaunay.positions(); };
     ProgressCallback progress;
-    if (options.progress) {
+    if (options.run.progress) {
         progress = [&](Progress now) {
             now.value *= value_unit;
             now.positions = &positions;
-            return options.progress(now);
+            return options.run.progress(now);
         };
     }
     RunStatistics run = minimize(objective, tied ? &tied->moves : nullptr, delaunay.spacing(),

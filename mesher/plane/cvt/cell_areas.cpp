@@ -1,4 +1,4 @@
-#include "mesher/plane/areas/cell_areas.hpp"
+#include "mesher/plane/cvt/cell_areas.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/cells/weight_orbits.hpp"
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 #include "mesher/plane/delaunay/moving_delaunay.hpp"
 #include "mesher/plane/delaunay/periodic_delaunay.hpp"
 #include "mesher/plane/power/power_cells.hpp"

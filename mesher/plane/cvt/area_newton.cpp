@@ -1,4 +1,4 @@
-#include "mesher/plane/areas/area_newton.hpp"
+#include "mesher/plane/cvt/area_newton.hpp"
 
 #include "mesher/cvt/size_newton_definitions.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
-#include "mesher/optimize/objective.hpp"
-#include "mesher/plane/areas/area_newton.hpp"
+#include "mesher/cvt/run_options.hpp"
+#include "mesher/plane/cvt/area_newton.hpp"
 #include "mesher/plane/delaunay/periodic_delaunay.hpp"
 #include "mesher/plane/symmetry/symmetric_sites.hpp"
 
@@ -21,15 +21,10 @@ struct AreaCvtOptions {
     Eigen::VectorXd areas;
     /// The numbers of the result's sites, in whose order the areas are.
     Numbering numbering = Numbering::kAsGiven;
-    /// 0: the sites stay. k: k times each site moves to the centroid of its cell, and the weights
-    /// follow. Negative: the sites move until each is the centroid of its cell.
-    int centroidal_steps = 0;
-    /// As RunOptions::tolerance; a limited number of steps does not end before.
-    double tolerance = 1e-6;
-    /// At least 1. The result does not depend on it.
-    int n_threads = 1;
-    /// Called once per centroidal step or iteration; returning false cancels the run.
-    ProgressCallback progress = {};
+    /// max_iterations counts the steps that move each site to the centroid of its cell, whose
+    /// weight follows. 0: the sites stay. Negative: they move until each is the centroid of its
+    /// cell. A limited number of steps does not end before the tolerance. The solver is L-BFGS.
+    RunOptions run = {.max_iterations = 0};
     /// Called with the figures of the weights of each position, as SizeNewton::solve does.
     NewtonCallback newton_progress = {};
 };
@@ -60,7 +55,7 @@ void require_areas(const AreaCvtOptions& options, int n_sites);
 ///
 ///     const Eigen::VectorXd areas = scaled_areas(draw_areas(law, n, seed), n, lattice.area());
 ///     const AreaCvtResult grains =
-///         compute_area_cvt(lattice, points, {.areas = areas, .centroidal_steps = 5});
+///         compute_area_cvt(lattice, points, {.areas = areas, .run = {.max_iterations = 5}});
 ///     const PeriodicMesh cells = cell_mesh(grains.delaunay);
 ///
 /// @param points  2 x n, length units; need not be wrapped.

@@ -1,4 +1,4 @@
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,10 +38,10 @@ TEST(AreaCvt, CellsHaveTheirAreasOnEveryLattice) {
                 const Eigen::VectorXd areas = law_areas("gamma:0.4", lattice, n, 5);
                 const AreaCvtResult result =
                     compute_area_cvt(lattice, uniform_points(lattice, n, 2),
-                                     {.areas = areas, .centroidal_steps = steps});
+                                     {.areas = areas, .run = {.max_iterations = steps}});
                 EXPECT_TRUE(result.areas.converged);
                 // Some few sites lie at the centroids of their cells from the start.
-                EXPECT_EQ(result.run.stop, result.run.residual <= AreaCvtOptions().tolerance
+                EXPECT_EQ(result.run.stop, result.run.residual <= RunOptions().tolerance
                                                ? Stop::kConverged
                                                : Stop::kIterationLimit);
                 EXPECT_EQ(result.run.iterations, steps);
@@ -56,8 +56,9 @@ TEST(AreaCvt, CellsHaveTheirAreasOnEveryLattice) {
 TEST(AreaCvt, EveryMeshOfPowerCellsIsATile) {
     for (const auto& [name, lattice] : lattices()) {
         const Eigen::VectorXd areas = law_areas("lognormal:0.42", lattice, 40, 5);
-        const AreaCvtResult result = compute_area_cvt(lattice, uniform_points(lattice, 40, 2),
-                                                      {.areas = areas, .centroidal_steps = 3});
+        const AreaCvtResult result =
+            compute_area_cvt(lattice, uniform_points(lattice, 40, 2),
+                             {.areas = areas, .run = {.max_iterations = 3}});
         for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kDelaunay, MeshKind::kGrains}) {
             for (const Outline outline : {Outline::kWhole, Outline::kBox}) {
                 if (kind == MeshKind::kDelaunay && outline == Outline::kBox) continue;
@@ -74,8 +75,8 @@ TEST(AreaCvt, FiveStepsGiveTheCircularityOfGrains) {
     const Lattice unit = Lattice::rectangle(1, 1);
     for (std::uint64_t seed = 1; seed < 4; ++seed) {
         const Eigen::VectorXd areas = law_areas("lognormal:0.42", unit, 1000, seed);
-        const AreaCvtResult result = compute_area_cvt(unit, uniform_points(unit, 1000, seed),
-                                                      {.areas = areas, .centroidal_steps = 5});
+        const AreaCvtResult result = compute_area_cvt(
+            unit, uniform_points(unit, 1000, seed), {.areas = areas, .run = {.max_iterations = 5}});
         const CellTable cells = cell_table(cell_mesh(result.delaunay));
         double sum = 0;
         for (SiteId s = 0; s < 1000; ++s) sum += 1 - cells.circularity(s);
@@ -89,7 +90,7 @@ TEST(AreaCvt, EndsCentroidalInTheSameAreas) {
     const Eigen::VectorXd areas = law_areas("lognormal:0.42", unit, 300, 1);
     const AreaCvtResult result =
         compute_area_cvt(unit, uniform_points(unit, 300, 1),
-                         {.areas = areas, .centroidal_steps = -1, .tolerance = 1e-6});
+                         {.areas = areas, .run = {.tolerance = 1e-6, .max_iterations = -1}});
     EXPECT_EQ(result.run.stop, Stop::kConverged);
     EXPECT_LE(result.run.residual, 1e-6);
     EXPECT_LT(result.areas.largest_relative_error, 1e-10);
@@ -136,8 +137,9 @@ TEST(AreaCvt, TheResultDoesNotDependOnTheNumberOfThreads) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     const Eigen::VectorXd areas = law_areas("gamma:0.3", lattice, 20'000, 1);
     const auto run = [&](int n_threads) {
-        return compute_area_cvt(lattice, uniform_points(lattice, 20'000, 1),
-                                {.areas = areas, .centroidal_steps = 1, .n_threads = n_threads});
+        return compute_area_cvt(
+            lattice, uniform_points(lattice, 20'000, 1),
+            {.areas = areas, .run = {.max_iterations = 1, .n_threads = n_threads}});
     };
     const AreaCvtResult one = run(1);
     const AreaCvtResult three = run(3);
@@ -150,9 +152,9 @@ TEST(AreaCvt, ACancelledRunReturnsItsLastDiagram) {
     const Eigen::VectorXd areas = law_areas("gamma:0.3", unit, 50, 1);
     const AreaCvtResult result = compute_area_cvt(
         unit, uniform_points(unit, 50, 1),
-        {.areas = areas, .centroidal_steps = 9, .progress = [](const Progress& now) {
-             return now.iteration < 2;
-         }});
+        {.areas = areas, .run = {.max_iterations = 9, .progress = [](const Progress& now) {
+                                     return now.iteration < 2;
+                                 }}});
     EXPECT_EQ(result.run.stop, Stop::kCancelled);
     EXPECT_EQ(result.run.iterations, 2);
     EXPECT_LT(largest_error(cell_table(cell_mesh(result.delaunay)), areas), 1e-8);

@@ -1,10 +1,10 @@
-#include "mesher/plane/areas/cell_areas.hpp"
+#include "mesher/plane/cvt/cell_areas.hpp"
 
 #include <gmock/gmock.h>
 
 #include "mesher/base/error.hpp"
 #include "mesher/cells/target_areas.hpp"
-#include "mesher/plane/areas/area_cvt.hpp"
+#include "mesher/plane/cvt/area_cvt.hpp"
 #include "tests/support/clipped_power_cells.hpp"
 #include "tests/support/lattices.hpp"
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/cells/material_choices.hpp"
+#include "mesher/plane/tessellation/tessellation.hpp"
+
+namespace pcvt::plane {
+
+/// The tags of cells round inclusions as their phases, in the order matrix, 1, 2, ..., without the
+/// tags of holes; one entry a site outside of holes.
+///
+/// Example usage:
+///     const CellMaterials materials = tag_materials(cells);
+///     const std::string& phase = materials.phase_names[materials.site_phase[0]];
+CellMaterials tag_materials(const Tessellation& tessellation);
+
+/// One entry a tag, also of holes; wanted are the areas of the shapes.
+std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation);
+
+}  // namespace pcvt::plane
