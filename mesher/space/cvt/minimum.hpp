@@ -21,7 +21,8 @@ inline constexpr int kMostSitesForMinimum = 2000;
 /// Cost: sparse factorisations, of order n^2.
 Minimum decided_minimum(const PeriodicDelaunay& delaunay);
 
-/// The same of a run; `nullopt` if it did not converge, or has more than kMostSitesForMinimum sites.
+/// The same of a run; `nullopt` if it did not converge, or has more than kMostSitesForMinimum
+/// sites.
 std::optional<Minimum> minimum_of(const CvtResult& result);
 
 }  // namespace pcvt::space
