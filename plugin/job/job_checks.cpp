@@ -205,12 +205,10 @@ void check_constraints(const Job& job) {
     const std::vector<plane::Inclusion>& shapes = job.inclusions->inclusions;
     double fewest = 0;
     for (const plane::Inclusion& inclusion : shapes) fewest += fewest_seeds(inclusion.shape);
-    try {
+    naming_inclusions(job, [&] {
         require_sites(job, fewest);
-        const plane::InclusionSet set(job.in_plane().lattice, shapes, job.walls);
-    } catch (const InvalidInput& error) {
-        throw InvalidInput(inclusion_source(job) + ": " + error.what());
-    }
+        return plane::InclusionSet(job.in_plane().lattice, shapes, job.walls);
+    });
 }
 
 }  // namespace

@@ -65,11 +65,9 @@ plane::Tessellation tessellate(const Job& job, JobStart& start, JobMonitor& moni
         return tessellate(lattice, walls, std::move(start.points), options);
     }
     const plane::TaggedInclusions inclusions = inclusions_of(job);
-    try {
+    return naming_inclusions(job, [&] {
         return tessellate(lattice, walls, inclusions, job.n_sites, job.seed, options);
-    } catch (const InvalidInput& error) {
-        throw InvalidInput(inclusion_source(job) + ": " + error.what());
-    }
+    });
 }
 
 plane::Metric metric_of(const Job& job) {

@@ -23,6 +23,16 @@ Job in_round_space(const Job& job, const plane::Metric& metric);
 /// The file of the inclusions, or "fibres".
 /// @pre the job has inclusions.
 std::string inclusion_source(const Job& job);
+/// Calls `work`, whose refusals begin with inclusion_source().
+template <class Work>
+auto naming_inclusions(const Job& job, const Work& work) {
+    try {
+        return work();
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(inclusion_source(job) + ": " + error.what());
+    }
+}
+
 /// The words of the tags 1, 2, ... of the inclusions.
 std::vector<std::string> inclusion_tags(const Job& job);
 /// The names of the phases of a job, or of its tags outside of holes, as tag_materials() has them.

@@ -9,13 +9,6 @@
 
 namespace pcvt::plane {
 
-/// Edges shorter than this, in units of h = sqrt(area / number of cells), must be removed before
-/// cells are meshed (short_edges.hpp).
-inline constexpr double kShortGrainEdge = 0.02;
-/// Vertices nearer to the box than this, in units of h, must be moved onto it before the pieces are
-/// meshed (box_outline.hpp), so that fewer pieces are slivers.
-inline constexpr double kGrainSnap = 0.03;
-
 /// A corner of a cell, or of a piece of one, where an angle of at most kSmallestAngle is
 /// unavoidable: either the angle of the corner itself is that small, or it is at most 60 degrees
 /// and another corner at the same vertex has less than 7 degrees.

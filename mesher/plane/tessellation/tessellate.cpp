@@ -9,6 +9,7 @@
 #include "mesher/plane/cvt/walled_cvt.hpp"
 #include "mesher/plane/mesh/interface_proof.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
+#include "mesher/plane/mesh/walled_mesh.hpp"
 
 namespace pcvt::plane {
 namespace {

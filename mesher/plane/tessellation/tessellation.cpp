@@ -10,6 +10,7 @@
 #include "mesher/plane/cvt/wall_rounds.hpp"
 #include "mesher/plane/geometry/domain.hpp"
 #include "mesher/plane/mesh/cell_measures.hpp"
+#include "mesher/plane/mesh/torus_mesh.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "mesher/plane/mesh/walled_mesh.hpp"
 
@@ -17,11 +18,12 @@ namespace pcvt::plane {
 namespace {
 
 PeriodicMesh new_mesh(const Tessellation& tessellation, MeshKind kind) {
-    PeriodicMesh mesh = periodic_mesh(tessellation.delaunay, kind);
-    if (tessellation.walled) return part_between_walls(std::move(mesh), *tessellation.walled);
-    const auto& elongation = tessellation.elongation;
-    if (!elongation) return mesh;
-    return from_round(std::move(mesh), elongation->metric, elongation->lattice);
+    const auto& walled = tessellation.walled;
+    PeriodicMesh mesh =
+        domain_mesh(tessellation.delaunay,
+                    {.kind = kind, .elongation = tessellation.elongation, .walled = walled});
+    if (walled && kind == MeshKind::kDelaunay) return part_between_walls(std::move(mesh), *walled);
+    return mesh;
 }
 
 /// The positions of all sites, those inside holes among them.

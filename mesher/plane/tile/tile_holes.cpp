@@ -275,14 +275,6 @@ class NumberList {
 
 }  // namespace
 
-std::vector<SiteId> HoleSites::kept() const {
-    std::vector<SiteId> sites;
-    for (std::size_t s = 0; s < of_site.size(); ++s) {
-        if (of_site[s] < 0) sites.push_back(static_cast<SiteId>(s));
-    }
-    return sites;
-}
-
 Tile with_holes(Tile tile, const HoleSites& holes) {
     if (holes.empty()) return tile;
     return HoleCutter(std::move(tile), holes).cut();

@@ -1,25 +1,13 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "mesher/plane/mesh/periodic_mesh.hpp"
+#include "mesher/plane/mesh/tile_options.hpp"
 #include "mesher/plane/tile/tile.hpp"
 
 namespace pcvt::plane {
-
-/// The sites whose cells are left out of a tile.
-struct HoleSites {
-    /// The names of the walls; several holes may share one.
-    std::vector<std::string> names = {};
-    /// For each site the number of its name, or -1 for the sites that stay.
-    std::vector<int> of_site = {};
-
-    bool empty() const { return names.empty(); }
-    /// The sites that stay, by rising id. Site kept()[s] becomes site s of the tile.
-    std::vector<SiteId> kept() const;
-};
 
 /// Leaves the faces of some sites out of a tile, whose edges become walls with the names of the
 /// holes; the edge of a hole that lies across the seam is one wall on both sides of it. Of Delaunay

@@ -16,6 +16,7 @@
 #include "mesher/plane/mesh/box_outline.hpp"
 #include "mesher/plane/mesh/outline.hpp"
 #include "mesher/plane/mesh/short_edges.hpp"
+#include "mesher/plane/mesh/torus_mesh.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "mesher/plane/tile/tile_builder.hpp"
