@@ -100,7 +100,15 @@ void append_number(std::string& text, int value) {
 
 double parse_number(std::string_view word) { return parse<double>(word); }
 
-int parse_integer(std::string_view word) { return parse<int>(word); }
+int parse_integer(std::string_view word) {
+    try {
+        return parse<int>(word);
+    } catch (const InvalidInput&) {
+        if (word.find_first_of(".eE") == std::string_view::npos) throw;
+    }
+    parse_number(word);
+    throw InvalidInput(in_quotes(word) + " is not a whole number; write one such as 12");
+}
 
 std::string in_quotes(std::string_view word) {
     std::string text = "'";

@@ -29,6 +29,8 @@ void append_number(std::string& text, int value);
 /// numbers, NaN and infinity are not.
 /// @throws InvalidInput such as `'1,5' is not a number; use a decimal point`.
 double parse_number(std::string_view word);
+/// The same for a whole number.
+/// @throws InvalidInput such as `'1.5' is not a whole number; write one such as 12`.
 int parse_integer(std::string_view word);
 
 /// Returns `word` in quotes for a message: at most 40 characters, with question marks for

@@ -196,15 +196,15 @@ const std::vector<double>& PlyValues::list(std::string_view name) const {
     return none;
 }
 
-void read_ply_rows(LineScanner& scanner, const std::string& name, const PlyElement& element,
+void read_ply_rows(LineScanner& scanner, const PlyElement& element,
                    const std::function<void(const PlyValues&)>& take) {
     PlyValues values(element);
     for (int k = 0; k < element.count; ++k) {
         checkpoint_each(k);
         do {
             if (!scanner.next()) {
-                throw BadFile(name + ": ends before its last " + in_quotes(element.name) +
-                              "; correct the counts or give the whole file");
+                scanner.throw_bad_file("the file ends before its last " + in_quotes(element.name) +
+                                       "; correct the counts or give the whole file");
             }
         } while (scanner.words().empty());
         values.read(scanner, element);

@@ -73,9 +73,8 @@ class PlyValues {
 };
 
 /// Reads the lines of an element and calls take(values) for each.
-/// @param name  the file's name in messages.
-/// @throws BadFile with the line, or if the file ends before.
-void read_ply_rows(LineScanner& scanner, const std::string& name, const PlyElement& element,
+/// @throws BadFile with the line, also if the file ends before.
+void read_ply_rows(LineScanner& scanner, const PlyElement& element,
                    const std::function<void(const PlyValues&)>& take);
 
 /// Requires that no data follow the last element.

@@ -34,7 +34,7 @@ class PlyParser {
             if (element.name == "vertex") require_vertex(element);
             if (element.name == "face") require_face(element);
             if (has_positions(element)) require_site(element);
-            read_ply_rows(scanner_, file_.name, element,
+            read_ply_rows(scanner_, element,
                           [&](const PlyValues& values) { take_row(element, values); });
         }
         require_ply_end(scanner_);
@@ -239,7 +239,7 @@ SurfaceList decode_ply_surfaces(const EncodedFile& ply) {
         if (has_reals == (element.name == "face")) {
             throw BadFile(ply.path + ": element " + in_quotes(element.name) + kOtherDeclaration);
         }
-        read_ply_rows(scanner, ply.path, element, [&](const PlyValues& row) {
+        read_ply_rows(scanner, element, [&](const PlyValues& row) {
             if (element.name != "face") {
                 (element.name == "site" ? sites : surface.points)
                     .emplace_back(row.number("x"), row.number("y"), row.number("z"));

@@ -62,9 +62,12 @@ std::pair<FiniteVolumePatch, std::string> read_patch(FoamScanner& scanner, int n
     return {patch, partner};
 }
 
-std::vector<FiniteVolumePatch> read_patches(const EncodedFile& file, int n_periods) {
+/// Reads the patches. They have the faces behind the inner ones, one patch after the other.
+std::vector<FiniteVolumePatch> read_patches(const EncodedFile& file, int n_periods,
+                                            const FiniteVolumeMesh& mesh) {
     FoamScanner scanner(file.path, file.bytes);
     std::vector<FiniteVolumePatch> patches;
+    int next_face = mesh.n_inner_faces();
     std::vector<std::string> partners;
     std::map<std::string, int> index;
     for (int left = scanner.begin_list(); left > 0; --left) {
@@ -72,10 +75,20 @@ std::vector<FiniteVolumePatch> read_patches(const EncodedFile& file, int n_perio
         if (!index.emplace(patch.name, static_cast<int>(patches.size())).second) {
             scanner.throw_bad_file("two patches have one name; rename one");
         }
+        if (patch.first_face != next_face || patch.n_faces < 0 ||
+            patch.n_faces > mesh.n_faces() - next_face) {
+            scanner.throw_bad_file("patch " + in_quotes(patch.name) + " has not its faces from " +
+                                   std::to_string(next_face) + " on; correct startFace and nFaces");
+        }
+        next_face += patch.n_faces;
         patches.push_back(std::move(patch));
         partners.push_back(std::move(partner));
     }
     scanner.expect(")");
+    if (next_face != mesh.n_faces()) {
+        scanner.throw_bad_file("no patch has face " + std::to_string(next_face) +
+                               "; correct startFace and nFaces");
+    }
     // Find the partners by their names.
     for (std::size_t p = 0; p < partners.size(); ++p) {
         if (partners[p].empty()) continue;
@@ -97,7 +110,7 @@ FiniteVolumeMesh decode_foam_mesh(const std::vector<EncodedFile>& files, int n_p
     mesh.faces = foam_faces(foam_mesh_file(files, "faces"));
     mesh.owner = foam_labels(foam_mesh_file(files, "owner"));
     mesh.neighbour = foam_labels(foam_mesh_file(files, "neighbour"));
-    mesh.patches = read_patches(foam_mesh_file(files, "boundary"), n_periods);
+    mesh.patches = read_patches(foam_mesh_file(files, "boundary"), n_periods, mesh);
     return mesh;
 }
 

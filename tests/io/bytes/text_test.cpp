@@ -22,14 +22,17 @@ std::string written(Number number) {
     return text;
 }
 
-std::string number_fault(std::string_view word) {
+template <class Number>
+std::string number_fault(std::string_view word, Number parse(std::string_view)) {
     try {
-        parse_number(word);
+        parse(word);
     } catch (const InvalidInput& fault) {
         return fault.what();
     }
     return "";
 }
+
+std::string number_fault(std::string_view word) { return number_fault(word, parse_number); }
 
 /// Returns number and words of each line, separated by bars.
 std::vector<std::string> lines_of(std::string_view text) {
@@ -84,9 +87,16 @@ TEST(Text, WordsThatAreNotNumbersAreRefusedWithAReason) {
          {"", "+", "-", "+-1", "--1", "++1", "0x1p3", "1.5.2", "1d5", "1e", "x"}) {
         EXPECT_THAT(number_fault(word), HasSubstr("not a number")) << word;
     }
-    EXPECT_THROW(parse_integer("1.0"), InvalidInput);
     EXPECT_THROW(parse_integer("2147483648"), InvalidInput);
     EXPECT_THROW(parse_integer("0x10"), InvalidInput);
+}
+
+TEST(Text, DecimalsAreNoWholeNumbers) {
+    for (const std::string word : {"1.0", "-0.75", "1e3"}) {
+        EXPECT_THAT(number_fault(word, parse_integer),
+                    StartsWith("'" + word + "' is not a whole number; "));
+    }
+    EXPECT_THAT(number_fault("1.x", parse_integer), HasSubstr("not a number"));
 }
 
 TEST(Text, QuotedWordsArePrintableAndShort) {

@@ -70,7 +70,7 @@ TEST(NoteTable, FaultsNameTheirLine) {
     EXPECT_THAT(fault_of("pair 1 2 3\npair 1 2", notes),
                 HasSubstr("t:2: pair has 3 numbers here, not 2; "));
     EXPECT_THAT(fault_of("pair 1 0 0", notes), HasSubstr("index 0 does not exist; count from 1"));
-    EXPECT_THAT(fault_of("pair 1 2.5 0", notes), HasSubstr("'2.5' is not a number"));
+    EXPECT_THAT(fault_of("pair 1 2.5 0", notes), HasSubstr("'2.5' is not a whole number"));
     EXPECT_THAT(fault_of("pair 1 -2147483648 0", notes), HasSubstr("does not exist"));
     EXPECT_EQ(fault_of("pair 1 2 -2147483648", notes), "");
 }

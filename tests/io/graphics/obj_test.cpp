@@ -175,7 +175,7 @@ TEST(Obj, FaultsOfFacesNameTheirLine) {
     EXPECT_THAT(fault("f 1 2 3 -5"), HasSubstr(" does not exist; "));
     EXPECT_THAT(fault("f 1 2 3 -2147483648"), HasSubstr(" does not exist; "));
     EXPECT_THAT(fault("f 1 2 3 1"), StartsWith("t.obj:13: vertex 1 is a corner twice; "));
-    EXPECT_THAT(fault("f 1 2 3.0"), StartsWith("t.obj:13: '3.0' is not a number; "));
+    EXPECT_THAT(fault("f 1 2 3.0"), StartsWith("t.obj:13: '3.0' is not a whole number; "));
     EXPECT_THAT(fault("f 1 2 3/"), "");
     EXPECT_THAT(fault("f 1 2 3//"), StartsWith("t.obj:13: '' is not a number; "));
     EXPECT_THAT(fault("f 1 2 3/1/1/1"), StartsWith("t.obj:13: '3/1/1/1' is not a corner; "));

@@ -206,7 +206,8 @@ TEST(Ply, FaultsOfTheBodyNameTheirLine) {
     EXPECT_THAT(fault_with("1 1 0 1 1", "1 1 0 1 1 1"),
                 StartsWith("t.ply:17: the line is too lon"));
     EXPECT_THAT(fault_with("1 1 0 1 1", "1 1,5 0 1 1"), StartsWith("t.ply:17: '1,5' is not a num"));
-    EXPECT_THAT(fault_with("1 1 0 1 1", "1 1 0.5 1 1"), StartsWith("t.ply:17: '0.5' is not a num"));
+    EXPECT_THAT(fault_with("1 1 0 1 1", "1 1 0.5 1 1"),
+                StartsWith("t.ply:17: '0.5' is not a whole"));
     EXPECT_THAT(fault_with("1 1 0 1 1", "1 1 4 1 1"),
                 StartsWith("t.ply:17: orbit 4 is not a vertex"));
     EXPECT_THAT(fault_with("1 1 0 1 1", "1 1 2 1 1"),
@@ -220,7 +221,7 @@ TEST(Ply, FaultsOfTheBodyNameTheirLine) {
     EXPECT_THAT(fault_with("4 0 1 2 3 0", "256 0"), StartsWith("t.ply:19: 256 is beyond its decl"));
     EXPECT_THAT(fault_with("4 0 1 2 3 0", "255 0"), StartsWith("t.ply:19: the line is too short"));
     EXPECT_THAT(fault_with("4 0 1 2 3 0\n", ""),
-                StartsWith("t.ply: ends before its last 'face'; "));
+                StartsWith("t.ply:18: the file ends before its last 'face'; "));
     EXPECT_THAT(ply_fault(std::string(kOnePlyCell) + "1\n"),
                 StartsWith("t.ply:20: the file has data"));
     EXPECT_THAT(ply_fault(kOnePlyCell + std::string(1, '\0')),

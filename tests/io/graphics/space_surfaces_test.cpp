@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 
 #include "io/forms/space_surface.hpp"
@@ -16,6 +17,7 @@ namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 /// A text format of surfaces.
 struct TextFormat {
@@ -145,6 +147,23 @@ TEST_P(SurfaceFiles, NameTheLineOfAFault) {
                 HasSubstr("pcvt does not know 'knd'"));
     EXPECT_THAT(fault("lattice 1 ", "lattice x "), HasSubstr("is not a number"));
     EXPECT_THAT(fault("lattice 1 ", "lattice "), HasSubstr("lattice has 9 numbers here, not 8"));
+}
+
+TEST(PlySurfaces, NameTheLineOfAFault) {
+    const SpaceTile tile = testing::random_space_tile(3);
+    const EncodedFile file =
+        encode_ply_mesh(mesh_of(tile, SurfaceForm::kCells, SeamForm::kColumns), "t.ply").front();
+    const auto fault = [](const std::string& bytes) {
+        return testing::fault_in([&] { decode_ply_surfaces({"t.ply", bytes}); });
+    };
+    const auto n_lines = std::count(file.bytes.begin(), file.bytes.end(), '\n');
+    const std::size_t last = file.bytes.rfind('\n', file.bytes.size() - 2) + 1;
+    EXPECT_THAT(fault(file.bytes.substr(0, last)),
+                StartsWith("t.ply:" + std::to_string(n_lines - 1) +
+                           ": the file ends before its last 'site'; "));
+    // The last of too many vertices is read as a face.
+    EXPECT_THAT(fault(testing::exchanged(file.bytes, "end_header\n", "end_header\n0 0 0\n")),
+                HasSubstr(" is not a whole number; "));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SurfaceFiles,

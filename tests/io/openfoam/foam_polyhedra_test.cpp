@@ -79,8 +79,8 @@ TEST(FoamPolyhedra, RefusesNumbersThatReferToNothing) {
     EXPECT_THAT(broken_law("owner", "\n(\n0\n", "\n(\n2147483647\n"),
                 HasSubstr("cell 2147483647 is named; there are only"));
     EXPECT_THAT(broken_law("neighbour", "\n(\n", "\n(\n9999"), HasSubstr("cell 9999"));
-    EXPECT_THAT(broken_law("boundary", "startFace       ", "startFace       1"),
-                HasSubstr("law (1), order of the faces: patch seam_"));
+    EXPECT_THAT(foam_fault("boundary", "startFace       ", "startFace       1"),
+                HasSubstr("; correct startFace and nFaces"));
 }
 
 TEST(FoamPolyhedra, RefusesPatchesThatAreNoSeam) {

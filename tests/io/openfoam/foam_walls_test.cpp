@@ -131,7 +131,8 @@ TEST(FoamWalls, RangesOfWallPatchesAreProved) {
                 const std::size_t end = text.find(';', at);
                 const int number = std::stoi(text.substr(at, end - at));
                 text.replace(at, end - at, std::to_string(number + change));
-                EXPECT_THAT(wall_fault(files), HasSubstr("law (")) << wall << ' ' << key << change;
+                EXPECT_THAT(wall_fault(files), HasSubstr("; correct startFace and nFaces"))
+                    << wall << ' ' << key << change;
             }
         }
     }
