@@ -125,6 +125,7 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Output");
     app.add_option("--mesh", options.meshes,
                    "the faces, repeatable [voronoi]; grains: triangles inside of cells;\n"
+                   "in space delaunay: tetrahedra, which .msh holds without --mesh too;\n"
                    "with several, " +
                        mesh_suffixes() + " precede the extension")
         ->type_name("KIND")

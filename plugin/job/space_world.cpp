@@ -48,9 +48,17 @@ space::Points lattice_points(const Job& job, StartFigures& figures) {
 
 space::Points start_points(const Job& job, JobMonitor& monitor, StartFigures& figures) {
     if (job.n_given() > 0) return job.in_space().points;
-    if (chosen_start(job) == Start::kLattice) return lattice_points(job, figures);
-    if (chosen_start(job) == Start::kCoarse) return coarse_points(job, monitor);
-    return uniform_points(job.in_space().lattice, job.n_sites, job.seed);
+    switch (chosen_start(job)) {
+        case Start::kRandom:
+            return uniform_points(job.in_space().lattice, job.n_sites, job.seed);
+        case Start::kCoarse:
+            return coarse_points(job, monitor);
+        case Start::kLattice:
+            return lattice_points(job, figures);
+        case Start::kBest:
+            break;
+    }
+    throw InternalError("no sites in space begin there");
 }
 
 /// Names the first of these tetrahedra by its sites.

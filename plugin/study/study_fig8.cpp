@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
-#include "mesher/optimize/run_statistics.hpp"
 #include "mesher/plane/cvt/clipped_cvt.hpp"
+#include "mesher/plane/tessellation/tessellation.hpp"
 #include "plugin/study/study_pictures.hpp"
 #include "plugin/study/study_recipes.hpp"
 

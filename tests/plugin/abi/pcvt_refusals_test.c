@@ -220,10 +220,10 @@ static void every_field_is_checked(void) {
     FIELD_REFUSED(symmetry, PCVT_SYMMETRY_P6M + 1, "symmetry 18 is unknown");
     FIELD_REFUSED(walls, PCVT_WALLS_XY + 1, "walls 4 is unknown");
     FIELD_REFUSED(wall_cells, 2, "wall_cells 2 is unknown");
-    FIELD_REFUSED(wall_cells, PCVT_WALL_CELLS_HALF, "there are none; give the walls");
+    FIELD_REFUSED(wall_cells, PCVT_WALL_CELLS_HALF, "wall_cells half needs walls; add walls");
     FIELD_REFUSED(inclusions, "circle", "inclusions:1: a tag is missing");
     FIELD_REFUSED(fibres, "0.5", "write FRACTION,N");
-    FIELD_REFUSED(holes, "fibre", "give inclusions or fibres");
+    FIELD_REFUSED(holes, "fibre", "hole removes cells inside inclusions; add inclusions or fibres");
     FIELD_REFUSED(n_fixed_sites, 1, "fixed_sites is a null pointer");
     options.orientations = angles;
     options.n_orientations = 2;
@@ -289,7 +289,7 @@ static void symmetries_that_do_not_fit_name_what_fits(void) {
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "take coarse or random");
     options.start = PCVT_START_RANDOM;
     options.area_law = "equal";
-    REFUSED(&options, PCVT_ERROR_ARGUMENT, "have no symmetry");
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "symmetry does not work with areas; leave one of them out");
     options = options_for(3);
     options.symmetry = PCVT_SYMMETRY_P2;
     options.sites = sites;

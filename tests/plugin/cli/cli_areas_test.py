@@ -157,11 +157,11 @@ class PrescribedAreas(AreaTest):
 
     def test_what_does_not_combine_is_refused_with_what_to_do(self):
         areas = ("mesh", "--sites", 50, "--areas", "gamma:0.3")
-        self.refuse(2, "leave one of the two out", *areas, "--density", "1 + u")
+        self.refuse(2, "leave one of them out", *areas, "--density", "1 + u")
         self.refuse(2, "take coarse or random", *areas, "--start", "best")
         self.refuse(2, "take coarse or random", *areas, "--start", "lattice")
-        self.refuse(2, "leave the solver out", *areas, "--solver", "newton")
-        self.refuse(2, "leave one out", *areas, "--stability")
+        self.refuse(2, "leave --solver out", *areas, "--solver", "newton")
+        self.refuse(2, "leave one of them out", *areas, "--stability")
         self.refuse(2, "t.nc.*leave areas and aspect out", *areas, "-o", "t.nc")
         self.refuse(2, "t.nc.*leave areas and aspect out", "mesh", "--sites", 50, "--aspect", 2, "-o", "t.nc")
         self.refuse(2, "--retry", *areas, "--retry", 3)

@@ -104,7 +104,7 @@ class Holes(CliTest):
                 ("leave the holes out", ("--hole", "pipe", "-o", "t.nc")),
                 ("leave the holes out", ("--hole", "pipe", "-o", "t.vti"))):
             self.refuse(2, pattern, "mesh", "--sites", 600, "--inclusions", "shapes.txt", *arguments)
-        self.refuse(2, "give inclusions or fibres", "mesh", "--sites", 60, "--hole", "pipe")
+        self.refuse(2, "add --inclusions or --fibres", "mesh", "--sites", 60, "--hole", "pipe")
         self.path("shapes.txt").write_text("circle seam_1_0 0.5 0.5 0.2\n")
         self.refuse(2, "the name of a set in files .*; rename it", "mesh", "--sites", 600, "--inclusions", "shapes.txt", "--hole", "seam_1_0")
 

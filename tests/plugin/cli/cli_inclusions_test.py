@@ -84,7 +84,7 @@ class Inclusions(CliTest):
                             ("0.3,3,-1", "must be positive")):
             self.refuse(2, words, "mesh", "--sites", 900, "--fibres", text)
         self.path("shapes.txt").write_text(SHAPES)
-        self.refuse(2, "leave one of the two", "mesh", "--sites", 900, "--fibres", "0.3,3", "--inclusions", "shapes.txt")
+        self.refuse(2, "--fibres does not work with --inclusions", "mesh", "--sites", 900, "--fibres", "0.3,3", "--inclusions", "shapes.txt")
 
     def test_bad_shapes_are_refused_with_file_and_line(self):
         for pattern, shapes in ((r"shapes\.txt:2: 'square' is no shape", "# a\nsquare a 1 2 3\n"),

@@ -50,7 +50,7 @@ class Colours(CliTest):
         # Pictures show phases by default.
         self.succeed(*run, "-o", "u.svg")
         self.assertEqual(self.picture("u.svg"), self.picture("t.svg"))
-        self.refuse(2, "there are no phases to show", "mesh", "--sites", 9, "--colour", "phase", "-o", "v.svg")
+        self.refuse(2, "--colour phase needs --phases or --inclusions", "mesh", "--sites", 9, "--colour", "phase", "-o", "v.svg")
 
     def test_tags_of_inclusions_are_the_default_and_a_choice(self):
         run = ("mesh", "--sites", 200, "--fibres", "0.3,3", "--tolerance", "1e-3", "--quiet")
@@ -61,7 +61,7 @@ class Colours(CliTest):
         self.assertEqual(self.picture("default.svg"), self.picture("tag.svg"))
         self.assertIn("fibre: ", self.picture("tag.svg"))
         self.assertNotIn("by tag", self.picture("sides.svg"))
-        self.refuse(2, "there are no inclusions whose tags", "mesh", "--sites", 9, "--colour", "tag", "-o", "v.svg")
+        self.refuse(2, "--colour tag needs --inclusions or --fibres", "mesh", "--sites", 9, "--colour", "tag", "-o", "v.svg")
 
     def test_every_grain_has_one_colour(self):
         self.succeed("mesh", "--sites", 12, "--mesh", "grains", "--colour", "cells", "--quiet",

@@ -143,7 +143,7 @@ class Runs(CliTest):
                          r"\nminimum +not known: not converged\n")
         self.write("cubes.txt", "".join(f"{i / 2} {j / 2} {k / 2}\n" for i in (0, 1) for j in (0, 1) for k in (0, 1)))
         self.assertRegex(self.succeed("mesh", *CUBE, "--input", "cubes.txt", "--stability"), r"\nminimum +no\n")
-        self.refuse(2, "the stability is known of at most 2000 sites in space", *run, "--sites", 2001, "--stability")
+        self.refuse(2, "--stability supports at most 2000 sites in space", *run, "--sites", 2001, "--stability")
 
     def test_short_edges_are_removed_and_stated(self):
         run = ("mesh", "--sites", 200, *CUBE, "--max-iterations", 0, "--force", "-o", "t.vtu", "-o", "t.foam",
@@ -318,7 +318,7 @@ class Refusals(CliTest):
 
     def test_formats_without_volumes(self):
         for extension in ("inp", "nc", "vti", "csv", "unknown"):
-            self.refuse(2, rf"^pcvt: -o t\.{extension}: the format holds no volumes; take \.obj, \.ply, \.glb, \.om, \.msh, \.vtu, \.svg, \.png, \.foam or \.txt",
+            self.refuse(2, rf"^pcvt: -o t\.{extension}: \.{extension} does not support three dimensions; take \.obj, \.ply, \.glb, \.om, \.msh, \.vtu, \.svg, \.png, \.foam or \.txt",
                         "mesh", "--sites", 8, *CUBE, "-o", f"t.{extension}")
 
     def test_period_vectors(self):

@@ -113,7 +113,7 @@ class Symmetry(CliTest):
         self.succeed("check", "t.obj", "t.gltf", "t.ply")
         # Triangles too, by the orbits of their sites.
         self.succeed(*run, "--mesh", "delaunay", "-o", "t.svg", "-o", "t.ply", "-o", "t.png", "-o", "t.html")
-        self.refuse(2, "there is no symmetry whose orbits", "mesh", "--sites", 9, "--colour", "orbit", "-o", "v.svg")
+        self.refuse(2, "--colour orbit needs --symmetry", "mesh", "--sites", 9, "--colour", "orbit", "-o", "v.svg")
 
     def test_coarse_starts_keep_the_symmetry_and_are_the_default_of_many_orbits(self):
         for group in GROUPS:

@@ -119,7 +119,7 @@ class WalledAreas(CliTest):
 
     def test_what_does_not_fit_is_refused_in_one_line(self):
         areas = ("mesh", *BOX, "--walls", "y", "--areas", "gamma:0.3")
-        for arguments, words in ((("--aspect", 2), "elongated cells need a periodic plane; leave them out, or the walls"),
+        for arguments, words in ((("--aspect", 2), "--aspect does not work with --walls; leave one of them out"),
                                  (("--density", "1 + u"), "leave one of the two out"),
                                  (("--wall-cells", "half", "--max-iterations", 0), "allow iterations, or take whole cells"),
                                  (("-o", "t.nc"), "leave"), (("-o", "t.vti"), "leave the walls out"),

@@ -249,7 +249,7 @@ class Refusals(CliTest):
 
     def test_formats_without_volumes(self):
         result = pcvt.space(3)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "holds no volumes; take .obj, .ply, .glb, .om, .msh, .vtu, .svg, .png, .foam or .txt"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "inp does not support three dimensions; take .obj, .ply, .glb, .om, .msh, .vtu, .svg, .png, .foam or .txt"):
             result.write(self.path("t.inp"))
 
 
