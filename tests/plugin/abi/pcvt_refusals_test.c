@@ -289,7 +289,8 @@ static void symmetries_that_do_not_fit_name_what_fits(void) {
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "take coarse or random");
     options.start = PCVT_START_RANDOM;
     options.area_law = "equal";
-    REFUSED(&options, PCVT_ERROR_ARGUMENT, "symmetry does not work with areas; leave one of them out");
+    REFUSED(&options, PCVT_ERROR_ARGUMENT,
+            "symmetry does not work with areas; leave one of them out");
     options = options_for(3);
     options.symmetry = PCVT_SYMMETRY_P2;
     options.sites = sites;
