@@ -37,8 +37,8 @@ void add_without_short_edges(const SpaceFormat& format, const SpaceCase& c, cons
     if (!format.takes_short_edges(plane::MeshKind::kVoronoi) || format.encode == nullptr ||
         format.is_picture())
         return;
-    bases.push_back(
-        {"short " + c.name, plane::MeshKind::kVoronoi, format.encode(tile_of(c, 0.05), {}, path)});
+    bases.push_back({"short " + c.name, plane::MeshKind::kVoronoi,
+                     format.encode(tile_of(c, 0.05), SurfaceForm::kCells, path)});
 }
 
 void add_tetrahedra(const SpaceFormat& format, const SpaceCase& c, const std::string& path,
