@@ -1,13 +1,16 @@
 #include "plugin/abi/guard.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 
 #include "io/bytes/output_error.hpp"
 #include "mesher/finite_volume/mpas_grid.hpp"
 #include "mesher/plane/density/density.hpp"
+#include "plugin/job/features.hpp"
 
 namespace pcvt::abi {
 namespace {
@@ -31,22 +34,40 @@ pcvt_status note(pcvt_status status, const char* text, const char* advice = "") 
     return status;
 }
 
-/// Replaces the names of options by those of fields and arguments: --wall-cells by wall_cells.
-void name_fields() {
-    const auto belongs = [](char c) { return ('a' <= c && c <= 'z') || c == '-'; };
-    const char* from = text_of_thread;
-    char* to = text_of_thread;
-    for (bool at_word = true; *from != '\0'; ++from) {
-        if (!at_word || std::strncmp(from, "--", 2) != 0) {
-            at_word = *from == ' ';
-            *to++ = *from;
-            continue;
-        }
-        for (from += 2; belongs(*from); ++from) *to++ = *from == '-' ? '_' : *from;
-        --from;
-        at_word = false;
+/// The name of an option as hosts know it: its field, or else the option without its hyphens.
+std::string_view field_name(std::string_view option, std::array<char, kLongestText>& room) {
+    const FeatureRow* const feature = find_option(option);
+    if (feature != nullptr && !feature->fields.empty() &&
+        feature->fields.find(' ') == std::string_view::npos) {
+        return feature->fields;
     }
-    *to = '\0';
+    option.remove_prefix(2);
+    std::replace_copy(option.begin(), option.end(), room.begin(), '-', '_');
+    return {room.data(), option.size()};
+}
+
+/// Replaces the names of options in the message: --wall-cells by wall_cells, --size by grain_size.
+void name_fields() {
+    const std::string_view text = text_of_thread;
+    std::array<char, kLongestText> result;
+    std::array<char, kLongestText> room;
+    std::size_t n = 0;
+    const auto append_part = [&](std::string_view part) {
+        part = part.substr(0, std::min(part.size(), kLongestText - 1 - n));
+        std::copy(part.begin(), part.end(), result.begin() + static_cast<std::ptrdiff_t>(n));
+        n += part.size();
+    };
+    for (std::size_t k = 0; k < text.size();) {
+        const bool begins = text.substr(k, 2) == "--" && (k == 0 || text[k - 1] == ' ');
+        const std::size_t end =
+            begins ? std::min(text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-", k), text.size())
+                   : k + 1;
+        const std::string_view part = text.substr(k, end - k);
+        append_part(begins ? field_name(part, room) : part);
+        k = end;
+    }
+    result[n] = '\0';
+    std::memcpy(text_of_thread, result.data(), n + 1);
 }
 
 }  // namespace

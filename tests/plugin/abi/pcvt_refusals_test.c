@@ -223,7 +223,8 @@ static void every_field_is_checked(void) {
     FIELD_REFUSED(wall_cells, PCVT_WALL_CELLS_HALF, "wall_cells half needs walls; add walls");
     FIELD_REFUSED(inclusions, "circle", "inclusions:1: a tag is missing");
     FIELD_REFUSED(fibres, "0.5", "write FRACTION,N");
-    FIELD_REFUSED(holes, "fibre", "hole removes cells inside inclusions; add inclusions or fibres");
+    FIELD_REFUSED(holes, "fibre",
+                  "holes removes cells inside inclusions; add inclusions or fibres");
     FIELD_REFUSED(n_fixed_sites, 1, "fixed_sites is a null pointer");
     options.orientations = angles;
     options.n_orientations = 2;
@@ -242,7 +243,7 @@ static void fields_that_contradict_each_other_are_refused(void) {
     pcvt_options options = options_for(3);
     options.grain_size = 0.1;
     options.grain_per_edge = 2;
-    REFUSED(&options, PCVT_ERROR_ARGUMENT, "take one of the two");
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "grain_size does not work with grain_per_edge");
     options = options_for(3);
     options.areas = areas;
     options.n_areas = 2;
@@ -254,7 +255,8 @@ static void fields_that_contradict_each_other_are_refused(void) {
     options = options_for(3);
     options.area_law = "equal";
     options.density_source = "1 + u";
-    REFUSED(&options, PCVT_ERROR_ARGUMENT, "leave one of the two out");
+    REFUSED(&options, PCVT_ERROR_ARGUMENT,
+            "areas does not work with density; leave one of them out");
     options = options_for(3);
     options.start = PCVT_START_BEST;
     options.budget = (int64_t)1 << 31;
@@ -294,7 +296,7 @@ static void symmetries_that_do_not_fit_name_what_fits(void) {
     options = options_for(3);
     options.symmetry = PCVT_SYMMETRY_P2;
     options.sites = sites;
-    REFUSED(&options, PCVT_ERROR_ARGUMENT, "leave the sites out");
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "symmetry draws its sites");
 }
 
 static void unknown_tiles_are_refused(void) {
@@ -401,10 +403,10 @@ static void unknown_forms_of_files_are_refused(void) {
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
     forms.colour = PCVT_COLOUR_ORBIT;
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), "no symmetry") != NULL);
+    CHECK(strstr(pcvt_last_error(), "colour orbit needs symmetry") != NULL);
     forms.colour = PCVT_COLOUR_TAG;
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), "no inclusions") != NULL);
+    CHECK(strstr(pcvt_last_error(), "colour tag needs inclusions or fibres") != NULL);
     forms.colour = PCVT_COLOUR_DEFAULT;
     forms.background = "#12345";
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);

@@ -12,7 +12,7 @@ import unittest
 from support.cli import TIMEOUT, CliTest, main, outputs
 
 EVERY_FORMAT = ("obj", "ply", "glb", "gltf", "om", "svg", "png", "dxf", "html")
-REPORT_KEYS = ["version", "sites", "lattice", "seed", "solver", "start", "stop", "iterations",
+REPORT_KEYS = ["version", "dimension", "sites", "lattice", "seed", "solver", "start", "stop", "iterations",
                "evaluations", "hessians", "cg_products", "energy", "energy_bound", "residual",
                "minimum", "hexagons", "valences", "mirrors", "threads", "seconds", "files"]
 
@@ -134,7 +134,7 @@ class Files(CliTest):
         self.assertNotIn("minimum", summary)
         self.assertIsNone(json.loads(self.path("run.json").read_text())["minimum"])
         self.refuse(2, "at most 10000 sites; leave it out", "mesh", "--sites", 10001, "--stability")
-        self.refuse(2, "density is not known", "mesh", "--sites", 9, "--stability",
+        self.refuse(2, "--stability does not work with --density", "mesh", "--sites", 9, "--stability",
                     "--density", "1 + u")
 
     def test_a_repeated_tile_is_a_tile_of_the_multiple_periods(self):

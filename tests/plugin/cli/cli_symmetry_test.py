@@ -141,7 +141,7 @@ class Symmetry(CliTest):
                 (("--sites", 7, "--symmetry", "pg"), "take 6 or 8"),
                 (("--input", "s.txt", "--symmetry", "p2"), "--input gives them"),
                 (("--sites", 8, "--symmetry", "p2", "--start", "best"), "take coarse or random"),
-                (("--sites", 8, "--symmetry", "p2", "--areas", "equal"), "leave one of the two out"),
+                (("--sites", 8, "--symmetry", "p2", "--areas", "equal"), "--symmetry does not work with --areas"),
                 (("--sites", 8, "--symmetry", "p4", "--aspect", "2"), "elongated by the aspect")):
             self.refuse(2, words, "mesh", *arguments, "-o", "t.obj")
 

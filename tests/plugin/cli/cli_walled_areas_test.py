@@ -120,10 +120,10 @@ class WalledAreas(CliTest):
     def test_what_does_not_fit_is_refused_in_one_line(self):
         areas = ("mesh", *BOX, "--walls", "y", "--areas", "gamma:0.3")
         for arguments, words in ((("--aspect", 2), "--aspect does not work with --walls; leave one of them out"),
-                                 (("--density", "1 + u"), "leave one of the two out"),
+                                 (("--density", "1 + u"), "leave one of them out"),
                                  (("--wall-cells", "half", "--max-iterations", 0), "allow iterations, or take whole cells"),
                                  (("-o", "t.nc"), "leave"), (("-o", "t.vti"), "leave the walls out"),
-                                 (("--mesh", "delaunay"), "take half cells at the walls, or the mesh grains"),
+                                 (("--mesh", "delaunay"), "add --wall-cells half, or take --mesh grains"),
                                  (("--mesh", "grains", "--job", "elastic", "-o", "t.inp"), "leave the job or the walls out")):
             self.refuse(2, words, *areas, *arguments)
         self.assertEqual(list(self.contents()), [])

@@ -167,18 +167,18 @@ class Walls(CliTest):
         half = (*channel, "--wall-cells", "half")
         for arguments, words in (
                 (("--sites", 8, "--walls", "z"), "--walls"),
-                (("--sites", 8, "--wall-cells", "half"), "give the walls"),
+                (("--sites", 8, "--wall-cells", "half"), "--wall-cells half needs walls; add --walls"),
                 (("--sites", 8, "--walls", "y", "--wall-cells", "third"), "--wall-cells"),
-                ((*channel, "--lattice", "1,0,0.5,1"), "give its period as W,H"),
-                ((*channel, "--symmetry", "p2"), "leave one of the two out"),
-                ((*channel, "--aspect", "2"), "leave them out, or the walls"),
-                ((*channel, "--start", "best"), "leave the start out"),
-                ((*channel, "--stability"), "leave one out"),
+                ((*channel, "--lattice", "1,0,0.5,1"), "give the two sides as its period"),
+                ((*channel, "--symmetry", "p2"), "--walls does not work with --symmetry"),
+                ((*channel, "--aspect", "2"), "--aspect does not work with --walls"),
+                ((*channel, "--start", "best"), "--start lattice and best do not work with --walls"),
+                ((*channel, "--stability"), "--stability does not work with --walls"),
                 ((*channel, "--repeat", "1x2"), "repeat it along them"),
-                ((*channel, "--origin", "0,0.2"), "along the walls only"),
-                ((*channel, "--outline", "box", "--origin", "auto"), "along the walls only"),
-                ((*half, "--max-iterations", 0), "allow iterations, or take whole cells"),
-                ((*channel, "--mesh", "delaunay"), "take half cells at the walls, or the mesh grains"),
+                ((*channel, "--origin", "0,0.2"), "give an origin along the walls, or none"),
+                ((*channel, "--outline", "box", "--origin", "auto"), "give an origin along the walls, or none"),
+                ((*half, "--max-iterations", 0), "leave --max-iterations 0 out, or take --wall-cells whole"),
+                ((*channel, "--mesh", "delaunay"), "add --wall-cells half, or take --mesh grains"),
                 (("--input", "s.txt", "--walls", "y"), "wall")):
             self.refuse(2, words, "mesh", *arguments, "-o", "t.vtu")
         for output, options, words in (

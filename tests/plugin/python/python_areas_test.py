@@ -71,7 +71,7 @@ class Areas(unittest.TestCase):
                              ([1, 0, 1], "site 1"), ("gamma", "gamma:S"), ("dirac:1", "law"), ("", "law"), (3, "n_areas")):
             with self.assertRaisesRegex(pcvt.ArgumentError, words):
                 pcvt.mesh(3, areas=areas)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "leave one of the two out"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "areas does not work with density"):
             pcvt.mesh(3, areas="equal", density="1 + u")
         for aspect in (0, 200, (2, math.inf)):
             with self.assertRaisesRegex(pcvt.ArgumentError, "aspect"):

@@ -28,7 +28,7 @@ class Refusals(unittest.TestCase):
         self.refuse(pcvt.ArgumentError, "tolerance", tolerance=0)
         self.refuse(pcvt.ArgumentError, "character 4", density="x +")
         self.refuse(pcvt.ArgumentError, "character 2: a control character", density="1\a + x")
-        self.refuse(pcvt.ArgumentError, "take one of the two", grain_size=0.1, grain_per_edge=2)
+        self.refuse(pcvt.ArgumentError, "grain_size does not work with grain_per_edge", grain_size=0.1, grain_per_edge=2)
 
     def test_coincident_sites_are_dropped(self):
         result = pcvt.mesh([[0, 0], [0.5, 0.5], [1, 1]], max_iterations=0, orientations=np.arange(9).reshape(3, 3),

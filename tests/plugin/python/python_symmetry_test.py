@@ -56,7 +56,7 @@ class Symmetry(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             pcvt.mesh(20, symmetry="p4").write(folder + "/t.svg", colour="orbit")
             self.assertIn("by orbit", Path(folder + "/t.svg").read_text())
-            with self.assertRaisesRegex(pcvt.ArgumentError, "there is no symmetry"):
+            with self.assertRaisesRegex(pcvt.ArgumentError, "colour orbit needs symmetry"):
                 pcvt.mesh(20).write(folder + "/u.svg", colour="orbit")
 
     def test_what_does_not_fit_is_refused_in_one_line(self):
@@ -73,7 +73,7 @@ class Symmetry(unittest.TestCase):
             self.assertNotIn("\n", str(refusal.exception))
         with self.assertRaisesRegex(pcvt.ArgumentError, "take 6 or 8"):
             pcvt.mesh(7, symmetry="pg")
-        with self.assertRaisesRegex(pcvt.ArgumentError, "leave the sites out"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "symmetry draws its sites"):
             pcvt.mesh([[0.1, 0.2], [0.6, 0.7]], symmetry="p2")
 
 

@@ -62,13 +62,13 @@ class Walls(unittest.TestCase):
 
     def test_refusals_name_the_remedy(self):
         for arguments, text in (({"walls": "z"}, "none, x, y, xy"),
-                                ({"wall_cells": "half"}, "give the walls"),
-                                ({"walls": "y", "aspect": 2}, "leave them out"),
+                                ({"wall_cells": "half"}, "wall_cells half needs walls"),
+                                ({"walls": "y", "aspect": 2}, "^aspect does not work with walls; leave one of them out$"),
                                 ({"walls": "y", "repeat": (1, 2)}, "repeat it along them"),
-                                ({"walls": "y", "origin": (0, 0.1)}, "along the walls only")):
+                                ({"walls": "y", "origin": (0, 0.1)}, "give an origin along the walls, or none")):
             with self.assertRaisesRegex(pcvt.ArgumentError, text):
                 mesh(**arguments)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "take half cells"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "add wall_cells half"):
             mesh(walls="y").tile("delaunay")
 
 
