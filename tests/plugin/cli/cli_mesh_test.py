@@ -14,7 +14,7 @@ from support.cli import TIMEOUT, CliTest, main, outputs
 EVERY_FORMAT = ("obj", "ply", "glb", "gltf", "om", "svg", "png", "dxf", "html")
 REPORT_KEYS = ["version", "dimension", "sites", "lattice", "seed", "solver", "start", "stop", "iterations",
                "evaluations", "hessians", "cg_products", "energy", "energy_bound", "residual",
-               "minimum", "hexagons", "valences", "mirrors", "threads", "seconds", "files"]
+               "rms_residual", "minimum", "hexagons", "valences", "mirrors", "threads", "seconds", "files"]
 
 
 class Files(CliTest):

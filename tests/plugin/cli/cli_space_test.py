@@ -52,12 +52,12 @@ class Runs(CliTest):
         self.assertEqual(found["report"], "r.json")
         report = json.loads(self.path("r.json").read_text())
         self.assertEqual(list(report), [
-            "version", "sites", "lattice", "seed", "solver", "start", "stop", "iterations", "evaluations", "energy",
-            "energy_bound", "residual", "rms_residual", "minimum", "faces", "removed_edges", "volume", "boundary_pairs",
-            "translations", "boundary_is_manifold", "threads", "seconds", "files"])
+            "version", "dimension", "sites", "lattice", "seed", "solver", "start", "stop", "iterations", "evaluations",
+            "hessians", "cg_products", "energy", "energy_bound", "residual", "rms_residual", "minimum", "valences", "faces",
+            "removed_edges", "volume", "boundary_pairs", "translations", "boundary_is_manifold", "mirrors", "threads", "seconds", "files"])
         self.assertEqual(report["lattice"], [[1, 0, 0], [0.37, 0.81, 0], [0.2, 0.4, 0.9]])
         self.assertEqual([report[key] for key in ("sites", "seed", "solver", "start", "stop", "threads", "files")],
-                         [30, 7, "lbfgs", "random", "converged", 1, ["t.vtu", "t.obj"]])
+                         [30, 7, "lbfgs", "random", "converged", 1, ["t.vtu", "t.obj", "t.mtl"]])
         self.assertEqual(sum(report["faces"].values()), 30)
         self.assertAlmostEqual(report["volume"], 0.81 * 0.9, 12)
         self.assertGreater(report["energy"], report["energy_bound"])
@@ -317,9 +317,14 @@ class Refusals(CliTest):
                     "mesh", "--sites", 8, *CUBE, "--solver", "newton")
 
     def test_formats_without_volumes(self):
-        for extension in ("inp", "nc", "vti", "csv", "unknown"):
+        for extension in ("inp", "nc", "vti", "csv"):
             self.refuse(2, rf"^pcvt: -o t\.{extension}: \.{extension} does not support three dimensions; take \.obj, \.ply, \.glb, \.om, \.msh, \.vtu, \.svg, \.png, \.foam or \.txt",
                         "mesh", "--sites", 8, *CUBE, "-o", f"t.{extension}")
+
+    def test_an_unknown_extension_is_called_unknown(self):
+        for name, words in (("t.unknown", "unknown extension .unknown"), ("t", "no extension")):
+            self.refuse(2, rf"^pcvt: -o {re.escape(name)}: {re.escape(words)}; take one of \.obj, \.ply, .* or \.txt$",
+                        "mesh", "--sites", 8, *CUBE, "-o", name)
 
     def test_period_vectors(self):
         for words, pattern in (

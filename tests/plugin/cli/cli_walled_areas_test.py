@@ -121,7 +121,7 @@ class WalledAreas(CliTest):
         areas = ("mesh", *BOX, "--walls", "y", "--areas", "gamma:0.3")
         for arguments, words in ((("--aspect", 2), "--aspect does not work with --walls; leave one of them out"),
                                  (("--density", "1 + u"), "leave one of them out"),
-                                 (("--wall-cells", "half", "--max-iterations", 0), "allow iterations, or take whole cells"),
+                                 (("--wall-cells", "half", "--max-iterations", 0), "leave --max-iterations 0 out, or take --wall-cells whole"),
                                  (("-o", "t.nc"), "leave"), (("-o", "t.vti"), "leave the walls out"),
                                  (("--mesh", "delaunay"), "add --wall-cells half, or take --mesh grains"),
                                  (("--mesh", "grains", "--job", "elastic", "-o", "t.inp"), "leave the job or the walls out")):
