@@ -111,7 +111,7 @@ class Outlines(CliTest):
     def test_wrong_requests_name_the_remedy(self):
         mesh = ("mesh", "--sites", 9)
         for pattern, *arguments in (
-            ("Delaunay triangles.*take the mesh grains", *mesh, "--outline", "box", "--mesh",
+            ("cannot cut Delaunay triangles; take --mesh grains, or --outline whole", *mesh, "--outline", "box", "--mesh",
              "delaunay"),
             ("--size is for grains; add --mesh grains", *mesh, "--size", 0.1),
             ("--per-edge is for grains; add --mesh grains", *mesh, "--per-edge", 2),

@@ -85,7 +85,7 @@ class Colours(CliTest):
 
     def test_what_cannot_be_shown_is_refused(self):
         for pattern, arguments in (
-            ("no density.*give one", ("--colour", "density", "-o", "t.svg")),
+            ("--colour density needs --density; add it", ("--colour", "density", "-o", "t.svg")),
             ("no output takes a colouring; add one of .obj or .ply", ("--colour", "size", "-o", "t.vtu")),
             ("no output takes a background; add one of .svg,", ("--background", "#ffffff", "-o", "t.obj")),
             ("background white: not a colour; take none or #rrggbb",

@@ -130,7 +130,7 @@ TEST(JobReport, OnlyRunsWithADensityHaveItsKeys) {
     EXPECT_EQ(json["density_evaluations"].get<double>(), 54.25);
     EXPECT_EQ(json["mass_deviation"].get<double>(), -1e-12);
     EXPECT_EQ(json["rough_cells"].get<int>(), 3);
-    EXPECT_EQ(json.size(), 31u);
+    EXPECT_EQ(json.size(), report(example_summary()).size() + 10);
 }
 
 TEST(JobReport, NonFiniteNumbersAreInternalErrors) {

@@ -80,7 +80,7 @@ class Files(CliTest):
             result.write(self.path("python.svg"), replace=True, **arguments)
             files = self.contents()
             self.assertEqual(files["python.svg"], files["command.svg"])
-        for arguments, words in (({"colour": "red"}, "sides, size"), ({"colour": "density"}, "no density"),
+        for arguments, words in (({"colour": "red"}, "sides, size"), ({"colour": "density"}, "colour density needs density"),
                                  ({"background": "blue"}, "#rrggbb")):
             with self.assertRaisesRegex(pcvt.ArgumentError, words):
                 result.write(self.path("no.svg"), **arguments)

@@ -63,7 +63,7 @@ class Materials(CliTest):
                                ({"phases": {"a b": 1}}, "letters"), ({"orientations": "rolled"}, "random"),
                                ({"orientations": [[1, 2, 3]]}, "n_orientations"),
                                ({"orientations": [[1, 2, 400]] * 5}, "-360 to 360"),
-                               ({"orientations": "random", "fibres": (0.3, 2)}, "leave the orientations out")):
+                               ({"orientations": "random", "fibres": (0.3, 2)}, "leave it out")):
             with self.assertRaisesRegex(pcvt.ArgumentError, words):
                 pcvt.mesh(5, **options)
 
