@@ -32,20 +32,22 @@ export async function sizeOfMemory() {
     return (await load()).HEAPU8.length;
 }
 
-/** Words of messages of the C interface, which name no option, and the option that they concern. */
+/** Words of messages of the C interface that name no option, and the option that they concern. */
 const concerns = [
     [/^character \d+: |^the density /, 'density'],
     [/^the period vectors |^the lattice /, 'lattice'],
     [/law of areas|^areas? |^the areas /, 'areas'],
     [/^the symmetry /, 'symmetry'],
-    [/^walls /, 'walls'],
     [/^the area fraction |fibre/, 'fibres'],
 ];
 
 /** The last error of the module, as the command words it. */
 function lastError(module, options = {}) {
     const line = module.UTF8ToString(module._pcvt_last_error()).replaceAll(`${folder}/`, '');
-    const option = concerns.find(([words, name]) => words.test(line) && options[name] !== undefined)?.[1];
+    // A message about options begins with the field of one: wall_cells.
+    const first = line.split(' ', 1)[0].replace(/_([a-z])/g, (_, letter) => letter.toUpperCase());
+    const option = options[first] !== undefined ? first
+        : concerns.find(([words, name]) => words.test(line) && options[name] !== undefined)?.[1];
     if (option === 'density') return new OptionError(option, `--density '${options.density}': ${line}`);
     if (option === 'lattice') return new OptionError(option, `--lattice ${[...options.lattice]}: ${line}`);
     return option ? new OptionError(option, line) : new Error(line);

@@ -41,10 +41,13 @@ const choice = (field, numbersOfWords) => (name, value) => {
     return { field, value: numbersOfWords[value] };
 };
 
+/** @param form  the numbers in words; where there may be several counts of them, what the option takes. */
 const numbers = (field, counts, form) => (name, value) => {
     const list = Float64Array.from(value);
     if (counts && !counts.includes(list.length)) {
-        refuse(name, [...value].join(','), `${list.length} of ${counts[0]} numbers; give ${form}`);
+        const given = list.length === 1 ? '1 was given' : `${list.length} were given`;
+        refuse(name, [...value].join(','), counts.length > 1 ? `takes ${form}; ${given}`
+            : `${list.length} of ${counts[0]} numbers; give ${form}`);
     }
     const bad = [...list].findIndex((x) => !Number.isFinite(x));
     if (bad >= 0) refuse(name, [...value].join(','), `'${value[bad]}' is not a finite number; give finite numbers`);
@@ -74,7 +77,7 @@ function seed(name, value) {
 }
 
 function period(name, value) {
-    const sides = numbers('', [2, 3], 'W,H, such as 1,1')(name, value).value;
+    const sides = numbers('', [2, 3], 'two numbers W,H, or three in space W,H,D')(name, value).value;
     if (sides.some((side) => side <= 0)) {
         refuse(name, [...sides].join(','), 'a side is not above 0; give two positive lengths');
     }
@@ -84,7 +87,8 @@ function period(name, value) {
 }
 
 function lattice(name, value) {
-    const list = numbers('lattice', [4, 9], 'AX,AY,BX,BY, such as 1,0,0.5,1')(name, value);
+    const takes = 'the four numbers of two period vectors, or the nine of three in space';
+    const list = numbers('lattice', [4, 9], takes)(name, value);
     return list.value.length === 9 ? { ...list, field: 'lattice3' } : list;
 }
 

@@ -8,7 +8,7 @@ import { argumentsOf } from './jobs.mjs';
 const [folder, pcvt] = process.argv.slice(2);
 const { mesh } = await import(pathToFileURL(resolve(folder, 'index.js')));
 
-// The option that the message names, the options, and the message where the command also takes a file.
+// The option that the message names, the options, and the message where that of the command names a file or its options.
 const wrong = [
     ['sites', {}],
     ['sites', { sites: 0 }],
@@ -31,7 +31,9 @@ const wrong = [
     ['start', { sites: 10, start: 'middle' }],
     ['symmetry', { sites: 10, symmetry: 'p5' }],
     ['symmetry', { sites: 10, symmetry: 'p4', lattice: [1, 0, 0.3, 0.9] }],
-    ['walls', { sites: 10, walls: 'x', lattice: [1, 0, 0.3, 0.9] }],
+    ['walls', { sites: 10, walls: 'x', lattice: [1, 0, 0.3, 0.9] },
+        'walls needs a rectangle along x and y; give the two sides as its period'],
+    ['wallCells', { sites: 10, wallCells: 'half' }, 'wall_cells half needs walls; add walls'],
     ['fibres', { sites: 10, fibres: [2, 5] }],
 ];
 
