@@ -37,6 +37,19 @@ class Pattern(CliTest):
             self.assertEqual((report["start"], report["stop"]), ("lattice", "converged"))
             self.assertLess(report["residual"], 1e-12)
 
+    def test_all_sites_are_combinations_of_the_basis_also_of_elongated_cells(self):
+        for options in ((), ("--aspect", "2"), ("--aspect", "0.4,30", "--lattice", "1,0,0.37,0.81")):
+            report = self.report("pattern", "--sites", 12, *options, "-o", "t.txt")
+            (ax, ay), (bx, by) = report["pattern"]["basis"]
+            area = ax * by - ay * bx
+            lines = [line for line in self.path("t.txt").read_text().splitlines() if not line.startswith("#")]
+            sites = [tuple(map(float, line.split())) for line in lines]
+            self.assertEqual(len(sites), 12)
+            for x, y in sites:
+                x, y = x - sites[0][0], y - sites[0][1]
+                for number in ((x * by - y * bx) / area, (ax * y - ay * x) / area):
+                    self.assertAlmostEqual(number, round(number), delta=1e-9)
+
     def test_every_lattice_is_a_proved_tile_of_cells_and_of_triangles(self):
         for lattice in LATTICES:
             for n in (1, 2, 9, 10, 36, 97):
