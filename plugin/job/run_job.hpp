@@ -22,10 +22,10 @@ struct Computation {
     StartFigures start = {};
     /// rho at each site outside of holes; empty without a density.
     std::vector<double> site_densities = {};
-    /// Of the sites outside of holes; empty without materials.
+    /// Materials of the sites outside of holes; empty without phases and orientations.
     CellMaterials materials = {};
     std::vector<PhaseFigures> phases = {};
-    /// Of the computation alone.
+    /// Seconds of the computation, without tiles and files.
     JobSeconds seconds = {};
 };
 

@@ -39,7 +39,7 @@ struct PatternFigures {
 
 /// What is known of a start, besides the sites.
 struct StartFigures {
-    /// Of the starts that look for it.
+    /// Set by the starts that look for it.
     std::optional<PatternFigures> pattern = {};
     /// How the global search found its best state, in words; else empty.
     std::string found = {};
@@ -54,7 +54,7 @@ struct PolyhedraFigures {
 /// The summary of a run, besides its files.
 struct RunSummary {
     /// Its evaluations include those of a global search, but not those of the coarser problems of a
-    /// coarse start. kCancelled: no file was written, and no other member is set. The energy is F,
+    /// coarse start. kCancelled: no file was written, and only `recovered` is set. The energy is F,
     /// length^4, in space length^5.
     RunStatistics run = {.stop = Stop::kCancelled};
     int n_sites = 0;
@@ -62,32 +62,32 @@ struct RunSummary {
     std::uint64_t seed = 0;
     /// The energy of as many regular hexagons, or of truncated octahedra; `nullopt` with a density.
     std::optional<double> energy_bound = {};
-    /// As minimum_of() returns it, of jobs that ask for the stability.
+    /// The answer of minimum_of(), where the job asks for the stability.
     std::optional<Minimum> minimum = {};
     /// `nullopt` if the triangulation was built without mirrors.
     std::optional<int> n_mirrors = {};
     /// Cells by their number of sides, in space of faces, on the unrepeated torus; edges under 1e-5
     /// h do not count in the plane.
     std::map<int, int> valences = {};
-    /// Of jobs with a density.
+    /// Figures of the density, if the job has one.
     std::optional<plane::DensityFigures> density = {};
-    /// Of jobs with areas.
+    /// Figures of the prescribed areas, if the job has them.
     std::optional<plane::AreaSummary> areas = {};
-    /// Of jobs with a symmetry: the number of orbits of sites. Else 0.
+    /// The number of orbits of sites; 0 without a symmetry.
     int n_orbits = 0;
-    /// Of jobs with walls: the sites that lie on them.
+    /// The number of sites that lie on walls.
     int n_on_walls = 0;
-    /// Of jobs with inclusions.
+    /// Figures of the inclusions, if the job has some.
     std::optional<plane::InterfaceFigures> interfaces = {};
-    /// Of jobs with phases, one entry each.
+    /// One entry for each phase.
     std::vector<PhaseFigures> phases = {};
-    /// Of jobs with orientations.
+    /// The range of the orientations, if the job has some.
     std::optional<AngleRange> angles = {};
     /// The materials whose elastic constants the files state.
     std::vector<NamedConstants> constants = {};
     /// In the plane, one entry for each mesh of the job.
     std::vector<plane::TileFigures> tiles = {};
-    /// Of the tile of a job in space.
+    /// Figures of the tile in space; `nullopt` in the plane.
     std::optional<PolyhedraFigures> polyhedra = {};
     /// The files and folders that were written, in the order of the outputs, without the report.
     std::vector<std::string> files = {};
