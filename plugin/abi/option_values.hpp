@@ -48,13 +48,4 @@ const auto& row_for(bool in_space, const char* name, std::int32_t value, const T
                        " is not for three dimensions; take " + words);
 }
 
-template <class Value>
-bool differ(const Value& one, const Value& other) {
-    return one != other;
-}
-template <class Value, std::size_t n>
-bool differ(const Value (&one)[n], const Value (&other)[n]) {
-    return !std::equal(one, one + n, other);
-}
-
 }  // namespace pcvt::abi

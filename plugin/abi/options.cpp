@@ -93,19 +93,11 @@ Solver solver(std::int32_t value, bool in_space) {
         .solver;
 }
 
-void read_grains(const pcvt_options& options, Job& job) {
-    const double lengths[] = {options.grain_size, options.short_edges};
-    require_finite("grain_size or short_edges", lengths, 2);
-    if (options.grain_size < 0) throw InvalidInput("grain_size is negative; take 0 or a length");
-    if (options.grain_order < 0 || options.grain_order > 2) {
-        throw InvalidInput("grain_order is not 0, 1 or 2");
+int grain_order(const pcvt_options& options) {
+    if (options.grain_order >= 0 && options.grain_order <= 2) {
+        return std::max(1, options.grain_order);
     }
-    if (options.grain_per_edge < 0)
-        throw InvalidInput("grain_per_edge is negative; take 0 or more");
-    job.tile.grain_size = options.grain_size;
-    job.tile.grain_per_edge = options.grain_per_edge;
-    job.tile.order = std::max(1, options.grain_order);
-    job.tile.short_edges = options.short_edges;
+    throw InvalidInput("grain_order is not 0, 1 or 2");
 }
 
 std::optional<plane::PlaneGroupName> symmetry(std::int32_t value) {
@@ -251,10 +243,9 @@ Job make_job(const pcvt_options& options) {
     job.seed = options.seed;
     job.start = start(options, in_space);
     job.budget = budget(options);
-    read_grains(options, job);
+    read_numbers(kOptionFields, options, job);
+    job.tile.order = grain_order(options);
     job.run.solver = solver(options.solver, in_space);
-    job.run.tolerance = options.tolerance;
-    job.run.max_iterations = options.max_iterations;
     job.run.n_threads = thread_count(options.n_threads);
     job.tile.columns = options.columns;
     job.tile.rows = options.rows;

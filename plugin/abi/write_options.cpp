@@ -40,8 +40,6 @@ FileOptions file_options(const pcvt_write_options& options) {
         result.gltf_nodes = chosen_row("gltf_nodes", options.gltf_nodes, kGltfNodes).nodes;
     }
     result.single_precision = options.single_precision != 0;
-    if (options.pixels < 0) throw InvalidInput("pixels is negative; take 0 or more");
-    result.pixels = options.pixels;
     if ((options.voxels[0] != 0 || options.voxels[1] != 0) &&
         (options.voxels[0] < plane::kLeastVoxels || options.voxels[1] < plane::kLeastVoxels)) {
         throw InvalidInput("voxels are fewer than 2 along an axis; take 2 or more, or 0 for both");
@@ -52,12 +50,7 @@ FileOptions file_options(const pcvt_write_options& options) {
     if (options.coriolis[0] != 0 || options.coriolis[1] != 0) {
         result.coriolis = {options.coriolis[0], options.coriolis[1]};
     }
-    require_finite("cut_width", &options.cut_width, 1);
-    if (options.cut_width < 0) throw InvalidInput("cut_width is negative; take 0 or a length");
-    result.cut_width = options.cut_width;
-    require_finite("thickness", &options.thickness, 1);
-    if (options.thickness < 0) throw InvalidInput("thickness is negative; take 0 or a length");
-    result.thickness = options.thickness;
+    read_numbers(kWriteFields, options, result);
     result.element = chosen_row("element", options.element, kPlaneElements).element;
     if (options.job != PCVT_JOB_NONE) {
         result.job = chosen_row("job", options.job, kSolverJobs).job;

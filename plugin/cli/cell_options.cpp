@@ -73,7 +73,7 @@ Aspect read_aspect(const std::string& text) {
 
 }  // namespace
 
-void add_cell_options(CLI::App& app, CellOptions& options) {
+void add_cell_options(CLI::App& app, CellOptions& options, Job& job) {
     const auto add = [&](const char* name, std::string& value, const char* form,
                          const std::string& description) {
         app.add_option(name, value, description)->type_name(form);
@@ -109,7 +109,7 @@ void add_cell_options(CLI::App& app, CellOptions& options) {
     add("--fibres", options.fibres, "FRACTION,N[,GAP]",
         "in place of --inclusions, N equal circles of the tag fibre with this\n"
         "part of the area, at random places by --seed, not nearer than GAP");
-    app.add_option("--hole", options.holes,
+    app.add_option("--hole", job.holes,
                    "leaves the cells of the inclusions with this tag out: their edges\n"
                    "are walls TAG in the files; repeatable")
         ->type_name("TAG")
@@ -146,7 +146,6 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
             throw InvalidInput("--fibres " + std::string(error.what()));
         }
     }
-    job.holes = options.holes;
     read_density(app, options, job);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "mesher/plane/density/density.hpp"
 #include "plugin/job/job.hpp"
@@ -24,11 +23,10 @@ struct CellOptions {
     std::string fixed;
     std::string inclusions;
     std::string fibres;
-    std::vector<std::string> holes;
 };
 
-/// Adds the options to `app`; parsing fills `options`.
-void add_cell_options(CLI::App& app, CellOptions& options);
+/// Adds the options to `app`; parsing fills `options`, and the tags of holes of `job`.
+void add_cell_options(CLI::App& app, CellOptions& options, Job& job);
 
 /// Sets the job as the options say. Does not read a file of areas.
 /// @throws InvalidInput, BadFile, BadDensity, LimitExceeded naming the option.

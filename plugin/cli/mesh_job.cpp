@@ -20,7 +20,6 @@
 namespace pcvt::cli {
 namespace {
 
-constexpr int kMostPerEdge = 1000;
 constexpr int kLargestBudget = 2'000'000'000;
 constexpr int kMostRetries = 1'000'000;
 
@@ -150,24 +149,13 @@ void read_grains(const CLI::App& app, const MeshOptions& options, Job& job) {
     require_mesh("--size", &plane::MeshKindRow::grain_size);
     require_mesh("--per-edge", &plane::MeshKindRow::grain_size);
     require_mesh("--order", &plane::MeshKindRow::order_2);
-    if (app.count("--size") > 0) job.tile.grain_size = positive_number("--size", options.size);
-    if (app.count("--per-edge") > 0) {
-        job.tile.grain_per_edge = whole_number("--per-edge", options.per_edge, 1, kMostPerEdge);
-        if (job.tile.grain_size > 0) {
-            throw InvalidInput("--per-edge replaces --size; leave one of them out");
-        }
+    if (app.count("--size") > 0 && app.count("--per-edge") > 0) {
+        throw InvalidInput("--per-edge replaces --size; leave one of them out");
     }
     if (app.count("--order") > 0) job.tile.order = whole_number("--order", options.order, 1, 2);
 }
 
-void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
-    if (app.count("--tolerance") > 0) {
-        job.run.tolerance = positive_number("--tolerance", options.tolerance);
-    }
-    if (app.count("--max-iterations") > 0) {
-        job.run.max_iterations =
-            whole_number("--max-iterations", options.max_iterations, 0, kMostIterations);
-    }
+void read_run(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--budget") > 0) {
         if (job.start != Start::kBest) {
             throw InvalidInput("--budget is for --start best; leave it out");
@@ -192,12 +180,11 @@ void read_numbers(const CLI::App& app, const MeshOptions& options, Job& job) {
     }
 }
 
-void read_short_edges(const CLI::App& app, const MeshOptions& options, Job& job) {
+void check_short_edges(const CLI::App& app, const MeshOptions& options, const Job& job) {
     if (app.count("--short-edges") == 0) return;
-    job.tile.short_edges = positive_number("--short-edges", options.short_edges);
     if (job.tile.short_edges > longest_short_edge(job)) {
         throw InvalidInput(
-            "--short-edges " + options.short_edges + ": such edges are not short" +
+            "--short-edges " + options.numbers.at("--short-edges") + ": such edges are not short" +
             (job.is_in_space() ? " in space; take at most 0.1" : "; take at most 0.5"));
     }
     if (job.is_in_space() || has_mesh(job, &plane::MeshKindRow::short_edges)) return;
@@ -206,18 +193,15 @@ void read_short_edges(const CLI::App& app, const MeshOptions& options, Job& job)
 }
 
 void read_outputs(const CLI::App& app, const MeshOptions& options, Job& job) {
-    job.outputs = options.outputs;
     if (app.count("--cells") > 0) {
         if (lower_case_extension(options.table) != ".csv") {
             throw InvalidInput("--cells " + options.table + ": not a .csv file; name it FILE.csv");
         }
         job.outputs.push_back(options.table);
     }
-    if (!options.report.empty() && !options.report.ends_with(".json")) {
-        throw InvalidInput("--report " + options.report + ": not a .json file; name it FILE.json");
+    if (!job.report.empty() && !job.report.ends_with(".json")) {
+        throw InvalidInput("--report " + job.report + ": not a .json file; name it FILE.json");
     }
-    job.report = options.report;
-    job.force = options.force;
 }
 
 /// Requires that no file in space holds another mesh than the one that --mesh names, and that one
@@ -241,7 +225,7 @@ void check_space_files(const CLI::App& app, const Job& job) {
 }  // namespace
 
 Job make_job(const CLI::App& app, const MeshOptions& options) {
-    Job job;
+    Job job = options.job;
     if (means_space(options)) {
         refuse_foreign_options(app, &FeatureRow::in_space, "not for three dimensions",
                                "give two period vectors");
@@ -258,13 +242,13 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     read_choices(app, options, job);
     read_meshes(app, options, job);
     read_grains(app, options, job);
-    read_numbers(app, options, job);
-    read_short_edges(app, options, job);
+    read_run(app, options, job);
     job.materials = material_choices(app, options.materials, job.inputs);
     job.file_options = file_options(app, options.files);
     job.file_options.elastic = elastic_choices(options.materials);
+    read_numbers(app, options.numbers, job);
+    check_short_edges(app, options, job);
     job.command = command_words(app);
-    job.stability = options.stability;
     read_outputs(app, options, job);
     if (job.is_in_space()) check_space_files(app, job);
     return job;

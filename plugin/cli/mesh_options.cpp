@@ -95,7 +95,7 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
     add(app, "--origin", options.origin, "X,Y|auto",
         "corner of the domain; auto: the box outline is cut where the\n"
         "shortest edge of the cut is longest [0,0]");
-    add_cell_options(app, options.cells);
+    add_cell_options(app, options.cells, options.job);
 }
 
 void add_solver_options(CLI::App& app, MeshOptions& options) {
@@ -104,16 +104,11 @@ void add_solver_options(CLI::App& app, MeshOptions& options) {
     add(app, "--budget", options.budget, "E",
         "evaluations that --start best may spend [the least of 2000 N, 2e5\nand 8e7 / N]");
     add(app, "--solver", options.solver, form_of(kSolvers), solver_help());
-    add(app, "--tolerance", options.tolerance, "T",
-        "converged once max |x_i - g_i| / h <= T; x_i: site i, g_i: centroid\nof its cell, h = "
-        "sqrt(area / n) [1e-6]");
-    add(app, "--max-iterations", options.max_iterations, "K",
-        "the most iterations; 0: the Voronoi diagram of the sites as given;\n"
-        "with --areas, steps that move each site to the centroid of its cell:\n"
-        "0 keeps the sites, 5 gives round grains [no limit]");
+    add_number(app, "--tolerance", options.numbers);
+    add_number(app, "--max-iterations", options.numbers);
     app.add_flag("--strict", options.strict,
                  "write the files, but exit with 5 if the run did not converge");
-    app.add_flag("--stability", options.stability,
+    app.add_flag("--stability", options.job.stability,
                  "answer whether the sites end at a minimum of the energy: up to\n"
                  "10000 sites (2000 in space), without a density; takes up to three times the\n"
                  "optimisation");
@@ -134,29 +129,25 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
     add(app, "--outline", options.outline, form_of(kOutlines),
         "the boundary of the tile; whole: no cell is cut; box: cut along the\n"
         "period vectors at --origin [whole]");
-    add(app, "--size", options.size, "H", "length of the edges of grains [h / 3]");
-    add(app, "--per-edge", options.per_edge, "K",
-        "cut each edge of the cells into K parts, grains inside to match,\n"
-        "in place of --size");
+    add_number(app, "--size", options.numbers);
+    add_number(app, "--per-edge", options.numbers);
     add(app, "--order", options.order, "1|2",
         "2: grains with nodes in the middle of edges, in formats that hold them [1]");
-    add(app, "--short-edges", options.short_edges, "L",
-        "remove Voronoi edges under L h from the cells, for finite volumes;\nin space at most 0.1, "
-        "for .vtu and .foam [0]");
+    add_number(app, "--short-edges", options.numbers);
     add(app, "--repeat", options.repeat, "IxJ", "a tile of I x J domains [1x1]");
-    app.add_option("-o", options.outputs,
+    app.add_option("-o", options.job.outputs,
                    "an output, repeatable; none: only the summary; the extension decides:\n" +
                        wrapped(output_extensions()) +
                        "\n(.txt: the sites, in the order of the input)")
         ->type_name("FILE")
         ->option_text("FILE")
         ->allow_extra_args(false);
-    add_file_choices(app, options.files);
+    add_file_choices(app, options.files, options.numbers);
     add(app, "--cells", options.table, "FILE.csv",
         "a table of the cells: position, area, diameter, sides, circularity\n"
         "and neighbours of each site");
-    add(app, "--report", options.report, "FILE.json", "figures of the run");
-    app.add_flag("--force", options.force, "replace existing files");
+    add(app, "--report", options.job.report, "FILE.json", "figures of the run");
+    app.add_flag("--force", options.job.force, "replace existing files");
     app.add_flag("--quiet", options.quiet, "no summary and no progress");
 }
 
@@ -167,6 +158,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& options) {
     add_solver_options(app, options);
     add_material_options(app, options.materials);
     add_output_options(app, options);
+    add_other_numbers(app, options.numbers);
     mark_dimensions(app);
     app.footer(kMeshExamples);
 }

@@ -7,6 +7,7 @@
 #include "plugin/cli/cell_options.hpp"
 #include "plugin/cli/options/file_choices.hpp"
 #include "plugin/cli/options/material_options.hpp"
+#include "plugin/cli/options/number_texts.hpp"
 #include "plugin/job/job.hpp"
 
 namespace CLI {
@@ -26,6 +27,8 @@ inline constexpr std::array kOutlines{OutlineRow{plane::Outline::kWhole, "whole"
 
 /// The options of `pcvt mesh` as the user typed them; empty if not given.
 struct MeshOptions {
+    /// The options that need no reading: paths and flags of the job itself.
+    Job job;
     std::string sites;
     std::string seed;
     std::string retry;
@@ -38,25 +41,17 @@ struct MeshOptions {
     std::string start;
     std::string budget;
     std::string solver;
-    std::string tolerance;
-    std::string max_iterations;
     std::vector<std::string> meshes;
     std::string outline;
-    std::string short_edges;
-    std::string size;
-    std::string per_edge;
     std::string order;
     std::string repeat;
     std::string origin;
-    std::vector<std::string> outputs;
     MaterialOptions materials;
     FileChoices files;
-    std::string report;
+    NumberTexts numbers;
     std::string table;
     std::string threads;
     bool strict = false;
-    bool stability = false;
-    bool force = false;
     bool quiet = false;
 };
 

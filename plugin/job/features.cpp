@@ -4,6 +4,7 @@
 
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_start.hpp"
+#include "plugin/job/number_options.hpp"
 
 namespace pcvt {
 namespace {
@@ -252,10 +253,7 @@ constexpr std::array kCommon{CommonRow{"--sites", "n_sites sites"},
                              CommonRow{"--lattice", "lattice lattice3"},
                              CommonRow{"--start", "start"},
                              CommonRow{"--solver", "solver"},
-                             CommonRow{"--tolerance", "tolerance"},
-                             CommonRow{"--max-iterations", "max_iterations"},
                              CommonRow{"--threads", "n_threads"},
-                             CommonRow{"--short-edges", "short_edges"},
                              CommonRow{"--mesh", "kind"},
                              CommonRow{"--report", "report"},
                              CommonRow{"--force", "replace"}};
@@ -290,6 +288,7 @@ const FeatureRow* find_field(std::string_view field) {
 
 std::vector<std::string_view> option_fields(std::string_view option) {
     if (const FeatureRow* row = find_option(option)) return split(row->fields);
+    if (const NumberRow* row = find_number_option(option)) return {row->field};
     const auto* const row = std::find_if(kCommon.begin(), kCommon.end(),
                                          [&](const CommonRow& r) { return r.option == option; });
     return row == kCommon.end() ? std::vector<std::string_view>() : split(row->fields);

@@ -8,13 +8,8 @@
 #include "plugin/job/job_files.hpp"
 
 namespace pcvt::cli {
-namespace {
 
-constexpr int kMostPixelsOfARow = 1 << 16;
-
-}  // namespace
-
-void add_file_choices(CLI::App& app, FileChoices& choices) {
+void add_file_choices(CLI::App& app, FileChoices& choices, NumberTexts& numbers) {
     app.add_option("--colour", choices.colour,
                    "the quantity that colours show; cells: neighbours differ; orbit: of\n"
                    "the sites under --symmetry, neighbouring orbits differ [sides; in\n"
@@ -33,12 +28,7 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
     app.add_flag("--float32", choices.float32,
                  "of .ply: 32-bit coordinates, and cells as triangles, which viewers\n"
                  "such as three.js need");
-    app.add_option("--pixels", choices.pixels,
-                   "width of .png: one period, from u = 0 to 1 and from v = 0 at the bottom\n"
-                   "to 1, which repeats without a seam, as the texture of .obj and .glb\n"
-                   "too [" +
-                       std::to_string(kDefaultPixels) + "]")
-        ->type_name("N");
+    add_number(app, "--pixels", numbers);
     app.add_option("--voxels", choices.voxels,
                    "of .vti: voxels along x and y [about 16 along h = sqrt(area / n)];\n"
                    "NZ repeats the layer along z, where DAMASK splits a grid over processes")
@@ -48,11 +38,7 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
                    "with BETA it jumps where y does, so walls must lie there in the model\n"
                    "[none]")
         ->type_name("F[,BETA]");
-    app.add_option("--cut", choices.cut,
-                   "of .svg and .dxf: only lines to cut, each edge once and without\n"
-                   "colours, in a tile MM millimetres wide\n[.svg: a picture; .dxf: the unit of "
-                   "the periods]")
-        ->type_name("MM");
+    add_number(app, "--cut", numbers);
     app.add_option("--element", choices.element,
                    "of .inp: elements for plane strain (CPE) or plane stress (CPS) [CPE]")
         ->type_name(listed_words(kPlaneElements, "|", "|"));
@@ -61,9 +47,7 @@ void add_file_choices(CLI::App& app, FileChoices& choices) {
                    "the file as it is; elastic: the homogenised stiffness, with the constants\n"
                    "of --material [the mesh alone, to *INCLUDE in a job]")
         ->type_name(listed_words(kSolverJobs, "|", "|"));
-    app.add_option("--thickness", choices.thickness,
-                   "of .foam: height of the layer of cells along z [sqrt(area / faces)]")
-        ->type_name("T");
+    add_number(app, "--thickness", numbers);
     app.add_option("--surface", choices.surface,
                    "of .obj, .ply and .glb: a closed surface for each cell, or the\n"
                    "boundary of the tile, whose faces are matched [cells]")
@@ -82,22 +66,15 @@ FileOptions file_options(const CLI::App& app, const FileChoices& choices) {
         options.gltf_nodes = chosen_row("--glb-nodes", choices.glb_nodes, kGltfNodes).nodes;
     }
     options.single_precision = choices.float32;
-    if (app.count("--pixels") > 0) {
-        options.pixels = whole_number("--pixels", choices.pixels, 1, kMostPixelsOfARow);
-    }
     if (app.count("--voxels") > 0) options.voxels = voxel_counts("--voxels", choices.voxels);
     if (app.count("--coriolis") > 0) {
         options.coriolis = coriolis_parameter("--coriolis", choices.coriolis);
     }
-    if (app.count("--cut") > 0) options.cut_width = positive_number("--cut", choices.cut);
     if (app.count("--element") > 0) {
         options.element = chosen_row("--element", choices.element, kPlaneElements).element;
     }
     if (app.count("--job") > 0) {
         options.job = chosen_row("--job", choices.job, kSolverJobs).job;
-    }
-    if (app.count("--thickness") > 0) {
-        options.thickness = positive_number("--thickness", choices.thickness);
     }
     if (app.count("--surface") > 0) {
         options.surfaces = chosen_row("--surface", choices.surface, kSurfaceForms).form;

@@ -37,7 +37,6 @@ const auto& chosen_row(const std::string& option, const std::string& word, const
 }
 
 constexpr int kMostThreads = 1024;
-constexpr int kMostIterations = std::numeric_limits<int>::max();
 
 /// A whole number, at least `lowest`.
 /// @throws LimitExceeded if it is above `highest`.

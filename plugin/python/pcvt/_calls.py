@@ -2,11 +2,11 @@
 
 import operator
 import os
-from ctypes import byref, c_void_p, sizeof
+from ctypes import byref, c_double, c_int32, c_int64, c_uint64, c_void_p, sizeof
 
 import numpy as np
 
-from . import _library
+from . import _library, _structs
 from ._callbacks import Callbacks
 from ._library import ArgumentError, Handle, checked, library
 from ._words import CHOICES
@@ -52,6 +52,21 @@ def set_doubles(options, **arrays):
         field[:] = doubles(name, values, len(field)).tolist()
 
 
+def set_fields(function, options, fields):
+    """Sets fields of pcvt.h that are one number, by their names there.
+
+    function    its name, for the message about a name that is no such field
+    """
+    kinds = dict(pair[:2] for pair in options._fields_)
+    for name, value in fields.items():
+        if kinds.get(name) not in (c_double, c_int32, c_int64, c_uint64) or name.startswith("reserved"):
+            raise TypeError(f"{function}() got an unexpected keyword argument {name!r}")
+        if kinds[name] is c_double:
+            setattr(options, name, value)
+        else:
+            set_integers(options, **{name: value})
+
+
 def set_sites(options, sites, dimension):
     """Returns the array that must stay alive as long as the options are used, or None."""
     if np.ndim(sites) == 0:
@@ -64,15 +79,15 @@ def set_sites(options, sites, dimension):
 
 
 def set_functions(options, density, callbacks):
-    options.progress = _library.ProgressCallback(callbacks.show_progress)
+    options.progress = _structs.ProgressCallback(callbacks.show_progress)
     if callable(density):
-        options.density = _library.DensityCallback(callbacks.ask_density)
+        options.density = _structs.DensityCallback(callbacks.ask_density)
     elif density is not None:
         options.density_source = text("density", density)
 
 
 def default_options():
-    options = _library.Options()
+    options = _structs.Options()
     checked(library.pcvt_options_init(byref(options), sizeof(options), _library.ABI_VERSION))
     return options
 
@@ -94,7 +109,7 @@ def written(handle, path, options, progress):
     """Writes the files of a result. `path` may be None."""
     file = None if path is None else text("path", path)
     with Callbacks(None, progress) as callbacks:
-        options.progress = _library.ProgressCallback(callbacks.show_progress)
+        options.progress = _structs.ProgressCallback(callbacks.show_progress)
         status = library.pcvt_write(handle.pointer, file, byref(options))
         if callbacks.error is not None:
             raise callbacks.error

@@ -4,7 +4,7 @@ import numpy as np
 
 from ._arguments import (period_vectors, refuse_plane_only, set_areas, set_fixed, set_inclusions,
                          set_materials)
-from ._calls import choice, default_options, generated, set_doubles, set_integers, set_sites, shaped
+from ._calls import choice, default_options, generated, set_doubles, set_fields, set_integers, set_sites, shaped
 from ._result import Result
 from ._space import SpaceResult
 
@@ -14,7 +14,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
          budget=0, progress=None, areas=None, aspect=1.0, phases=None, orientations=None, symmetry=None,
          walls="none", wall_cells="whole", fixed=None, inclusions=None, fibres=None, holes=(),
-         duplicates="refuse"):
+         duplicates="refuse", **fields):
     """Generates a periodic centroidal Voronoi tessellation of the plane, or, with three period vectors,
     of space, whose cells are polyhedra. The same arguments give the same result to the last bit.
     Ctrl-C ends the run at the next iteration.
@@ -48,6 +48,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     duplicates      given sites nearer to an earlier one than 1e-9 h: refuse, an error that names them all, or
                     drop, which leaves them out with their areas and orientations, and numbers the others
                     from 0 again. See Statistics.dropped
+    fields          numbers of pcvt_options, by their names in pcvt.h
 
     The arguments that follow are for the plane only.
 
@@ -112,6 +113,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     options.find_origin = isinstance(origin, str) and origin == "auto"
     set_doubles(options, origin=(0, 0) if options.find_origin else origin, density_range=density_range,
                 **{"lattice" if dimension == 2 else "lattice3": vectors.ravel()})
+    set_fields("mesh", options, fields)
     options.tolerance, options.grain_size = tolerance, grain_size
     options.short_edges = short_edges
     options.aspect, options.aspect_degrees = (aspect, 0) if np.ndim(aspect) == 0 else aspect
@@ -119,7 +121,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
 
 
 def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="default", tolerance=1e-6,
-          max_iterations=-1, threads=0, short_edges=0.0, progress=None, duplicates="refuse"):
+          max_iterations=-1, threads=0, short_edges=0.0, progress=None, duplicates="refuse", **fields):
     """Calls mesh() with three period vectors, by default those of the unit cube. Returns a SpaceResult.
 
         result = pcvt.space(sites=100)               # pcvt.mesh(sites=100, period=(1, 1, 1))
@@ -132,4 +134,4 @@ def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="
         lattice = np.eye(3)
     return mesh(sites, lattice, period=period, seed=seed, start=start, solver=solver, tolerance=tolerance,
                 max_iterations=max_iterations, threads=threads, short_edges=short_edges, progress=progress,
-                duplicates=duplicates)
+                duplicates=duplicates, **fields)

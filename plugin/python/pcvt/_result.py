@@ -5,9 +5,9 @@ from ctypes import sizeof
 
 import numpy as np
 
-from . import _library
+from . import _structs
 from ._arguments import material_text
-from ._calls import choice, set_integers, text, written
+from ._calls import choice, set_fields, set_integers, text, written
 from ._library import library
 from ._views import Tile, TorusMesh, inclusions_of, minimum_of, statistics_of
 
@@ -35,7 +35,7 @@ class Result:
 
     def __init__(self, handle):
         self._handle = handle
-        view = handle.view(library.pcvt_get_sites, _library.Sites)
+        view = handle.view(library.pcvt_get_sites, _structs.Sites)
         self.lattice = np.array(view.lattice).reshape(2, 2)
         self.sites = handle.array(view.points, np.float64, view.n_sites, 2)
         self.weights = handle.array(view.weights, np.float64, view.n_sites)
@@ -67,18 +67,18 @@ class Result:
     def mesh(self, kind="voronoi"):
         """The cells ("voronoi") or triangles ("delaunay") on the torus, a TorusMesh."""
         number = choice("kind", kind, "mesh")
-        return TorusMesh(self._handle, self._handle.view(library.pcvt_get_mesh, _library.Mesh,
+        return TorusMesh(self._handle, self._handle.view(library.pcvt_get_mesh, _structs.Mesh,
                                                          number))
 
     def tile(self, kind="voronoi", outline="whole"):
         """A Tile of kind "voronoi", "delaunay" or "grains" and outline "whole" or "box"."""
         numbers = choice("kind", kind, "mesh"), choice("outline", outline)
-        return Tile(self._handle, self._handle.view(library.pcvt_get_tile, _library.Tile, *numbers))
+        return Tile(self._handle, self._handle.view(library.pcvt_get_tile, _structs.Tile, *numbers))
 
     def write(self, path, kind="voronoi", outline="whole", *, report=None, replace=False,
               gltf_nodes="default", float32=False, pixels=0, cut_width=0.0, element="CPE", job="none",
               progress=None, colour="default", background="none", voxels=(0, 0), thickness=0.0, materials=None,
-              coriolis=(0.0, 0.0)):
+              coriolis=(0.0, 0.0), **fields):
         """Writes a tile, the sites (.txt) or a table of the cells (.csv), by the extension.
         Either the file appears, complete and proved to be a periodic tile, or no file appears.
         Ctrl-C ends the call soon.
@@ -102,9 +102,10 @@ class Result:
         voxels      of .vti: the numbers along x and y; (0, 0): about 16 along h; a third one repeats the layer along z
         thickness   of .foam: height of the layer of cells along z; 0: sqrt(area / faces)
         coriolis    of .nc: (f, beta) of the Coriolis parameter f + beta y; (0, 0): none
+        fields      numbers of pcvt_write_options, by their names in pcvt.h
         """
-        options = _library.WriteOptions(
-            struct_size=sizeof(_library.WriteOptions), kind=choice("kind", kind, "mesh"),
+        options = _structs.WriteOptions(
+            struct_size=sizeof(_structs.WriteOptions), kind=choice("kind", kind, "mesh"),
             outline=choice("outline", outline), replace=bool(replace),
             gltf_nodes=choice("gltf_nodes", gltf_nodes, "glb_nodes"),
             element=choice("element", element), job=choice("job", job),
@@ -118,6 +119,7 @@ class Result:
         options.voxels[:] = operator.index(columns), operator.index(rows)
         set_integers(options, voxel_layers=layers.pop() if layers else 0)
         options.coriolis[:] = coriolis
+        set_fields("write", options, fields)
         written(self._handle, path, options, progress)
 
     def plot(self, kind="voronoi", outline="whole", axes=None):

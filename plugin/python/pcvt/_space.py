@@ -4,8 +4,8 @@ from ctypes import sizeof
 
 import numpy as np
 
-from . import _library
-from ._calls import choice, text, written
+from . import _structs
+from ._calls import choice, set_fields, text, written
 from ._library import library
 from ._views import minimum_of, statistics_of
 
@@ -21,7 +21,7 @@ class SpaceResult:
         self._handle = handle
 
     def _view(self):
-        return self._handle.view(library.pcvt_get_cells, _library.Cells)
+        return self._handle.view(library.pcvt_get_cells, _structs.Cells)
 
     @property
     def sites(self):
@@ -44,7 +44,8 @@ class SpaceResult:
         """The cells as one SpaceTile. The first use builds and proves it."""
         return SpaceTile(self._handle, self._view())
 
-    def write(self, path, *, mesh="voronoi", surface="cells", report=None, replace=False, progress=None):
+    def write(self, path, *, mesh="voronoi", surface="cells", report=None, replace=False, progress=None,
+              **fields):
         """Writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the boundary of the tile
         (.om), the Delaunay tetrahedra (.msh, .vtu) or the sites (.txt), by the extension. Either all files
         appear, complete and proved to be a periodic tile, or none. Ctrl-C ends the call soon.
@@ -56,14 +57,16 @@ class SpaceResult:
         report      also write the statistics of the run to this .json file
         replace     whether files that exist are replaced
         progress    called with a Progress ten times a second; a true return value cancels
+        fields      numbers of pcvt_write_options, by their names in pcvt.h
 
         Raises OutputError, ArgumentError (another extension), GeometryError (.msh with flat
         tetrahedra, a boundary that touches itself), LimitError, Cancelled, or the exception of progress.
         """
-        options = _library.WriteOptions(struct_size=sizeof(_library.WriteOptions), replace=bool(replace),
+        options = _structs.WriteOptions(struct_size=sizeof(_structs.WriteOptions), replace=bool(replace),
                                         kind=choice("mesh", mesh, dimension=3),
                                         surface=choice("surface", surface, dimension=3),
                                         report=None if report is None else text("report", report))
+        set_fields("write", options, fields)
         written(self._handle, path, options, progress)
 
 

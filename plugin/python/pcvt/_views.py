@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import _library
+from . import _library, _structs
 from ._words import CHOICES
 
 KINDS = tuple(CHOICES[2]["mesh"])
@@ -18,7 +18,7 @@ WALL_EDGE = np.dtype([(name, np.int32) for name in ("wall", "v0", "v1")])
 
 def inclusions_of(handle):
     """The shapes of a result, in the form that mesh() takes."""
-    view = handle.view(_library.library.pcvt_get_inclusions, _library.Inclusions)
+    view = handle.view(_library.library.pcvt_get_inclusions, _structs.Inclusions)
     if view.n_shapes == 0:
         return ()
     begin = handle.array(view.begin, np.int32, view.n_shapes + 1)
@@ -33,7 +33,7 @@ def inclusions_of(handle):
 
 def statistics_of(handle):
     """The Statistics of a result."""
-    view = handle.view(_library.library.pcvt_get_statistics, _library.Statistics)
+    view = handle.view(_library.library.pcvt_get_statistics, _structs.Statistics)
     figures = {name: getattr(view, name) for name in Statistics._fields}
     figures["valences"] = handle.array(view.valences, np.int32, view.n_valences)
     figures["stop"] = STOPS[view.stop]

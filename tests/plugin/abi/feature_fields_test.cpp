@@ -7,6 +7,8 @@
 #include <set>
 #include <sstream>
 
+#include "plugin/job/job.hpp"
+
 namespace pcvt::abi {
 namespace {
 
@@ -15,16 +17,54 @@ TEST(FeatureFields, FeaturesAreInTheOrderOfTheirEnumerators) {
     for (const FeatureRow& row : features()) EXPECT_EQ(static_cast<unsigned>(row.feature), k++);
 }
 
-TEST(FeatureFields, FieldsAreThoseThatFeaturesName) {
+TEST(FeatureFields, FieldsThatFeaturesAndNumbersNameAreThoseOfTheHeader) {
+    std::set<std::string> listed;
+    for (const auto& field : kOptionFields) EXPECT_TRUE(listed.insert(field.name).second);
+    for (const auto& field : kWriteFields) listed.insert(field.name);
     std::set<std::string> named;
     for (const FeatureRow& row : features()) {
         std::istringstream words{std::string(row.fields)};
-        for (std::string word; words >> word;) EXPECT_TRUE(named.insert(word).second) << word;
+        for (std::string word; words >> word;) {
+            EXPECT_TRUE(named.insert(word).second) << word;
+            EXPECT_TRUE(listed.count(word)) << word;
+        }
     }
-    std::set<std::string> listed;
-    for (const auto& field : kOptionFields) EXPECT_TRUE(listed.insert(field.name).second);
-    for (const auto& field : kWriteFields) EXPECT_TRUE(listed.insert(field.name).second);
-    EXPECT_EQ(named, listed);
+    for (const NumberRow& row : number_options()) EXPECT_TRUE(listed.count(row.field)) << row.field;
+}
+
+template <class Fields>
+std::ptrdiff_t count_numbers(const Fields& fields, const NumberRow& row) {
+    return std::count_if(std::begin(fields), std::end(fields), [&](const auto& field) {
+        return field.name == row.field && field.number.index() == (row.is_whole() ? 2 : 1);
+    });
+}
+
+TEST(FeatureFields, EachNumberOptionHasOneFieldOfItsTypeInTheStructOfRunsOrOfFiles) {
+    for (const NumberRow& row : number_options()) {
+        EXPECT_EQ(count_numbers(kOptionFields, row), row.is_of_files() ? 0 : 1) << row.option;
+        EXPECT_EQ(count_numbers(kWriteFields, row), row.is_of_files() ? 1 : 0) << row.option;
+    }
+}
+
+TEST(FeatureFields, ANumberThatIsUnsetLeavesTheDefault) {
+    pcvt_options options{};
+    options.tolerance = 0.5;
+    options.max_iterations = -7;
+    Job job;
+    job.tile.grain_size = 2;
+    read_numbers(kOptionFields, options, job);
+    EXPECT_EQ(job.run.tolerance, 0.5);
+    EXPECT_EQ(job.run.max_iterations, Job().run.max_iterations);
+    EXPECT_EQ(job.tile.grain_size, 2);
+    options.max_iterations = 0;
+    options.grain_size = 3;
+    options.grain_per_edge = 4;
+    read_numbers(kOptionFields, options, job);
+    EXPECT_EQ(job.run.max_iterations, 0);
+    EXPECT_EQ(job.tile.grain_size, 3);
+    EXPECT_EQ(job.tile.grain_per_edge, 4);
+    options.grain_per_edge = -1;
+    EXPECT_THROW(read_numbers(kOptionFields, options, job), InvalidInput);
 }
 
 TEST(FeatureFields, FeaturesOfBothDimensionsHaveNoFieldToRefuse) {

@@ -7,7 +7,7 @@ from support.cli import main
 from support.python_package import ROOT, pcvt
 
 import numpy as np
-from pcvt import _library, _views, _words
+from pcvt import _library, _structs, _views, _words
 
 
 class Refusals(unittest.TestCase):
@@ -60,10 +60,10 @@ class Refusals(unittest.TestCase):
 
 
 class Layout(unittest.TestCase):
-    STRUCTS = {"pcvt_progress": _library.Progress, "pcvt_options": _library.Options,
-               "pcvt_sites": _library.Sites, "pcvt_inclusions": _library.Inclusions, "pcvt_mesh": _library.Mesh,
-               "pcvt_tile": _library.Tile, "pcvt_cells": _library.Cells, "pcvt_statistics": _library.Statistics,
-               "pcvt_write_options": _library.WriteOptions}
+    STRUCTS = {"pcvt_progress": _structs.Progress, "pcvt_options": _structs.Options,
+               "pcvt_sites": _structs.Sites, "pcvt_inclusions": _structs.Inclusions, "pcvt_mesh": _structs.Mesh,
+               "pcvt_tile": _structs.Tile, "pcvt_cells": _structs.Cells, "pcvt_statistics": _structs.Statistics,
+               "pcvt_write_options": _structs.WriteOptions}
 
     def test_structs_have_the_recorded_layout(self):
         found = [f"number PCVT_ABI_VERSION {_library.ABI_VERSION}"]
@@ -81,19 +81,19 @@ class Layout(unittest.TestCase):
     def test_the_library_refuses_a_struct_one_byte_too_short(self):
         library, own = _library.library, pcvt.mesh(10)
         result = own._handle.pointer
-        for get, struct, choices in ((library.pcvt_get_sites, _library.Sites, ()),
-                                     (library.pcvt_get_statistics, _library.Statistics, ()),
-                                     (library.pcvt_get_mesh, _library.Mesh, (0,)),
-                                     (library.pcvt_get_tile, _library.Tile, (0, 0))):
+        for get, struct, choices in ((library.pcvt_get_sites, _structs.Sites, ()),
+                                     (library.pcvt_get_statistics, _structs.Statistics, ()),
+                                     (library.pcvt_get_mesh, _structs.Mesh, (0,)),
+                                     (library.pcvt_get_tile, _structs.Tile, (0, 0))):
             view, size = struct(), sizeof(struct)
             self.assertEqual(get(result, *choices, byref(view), size), 0)
             self.assertEqual(get(result, *choices, byref(view), size - 1), -2)
-        options, size = _library.Options(), sizeof(_library.Options)
+        options, size = _structs.Options(), sizeof(_structs.Options)
         own_version = _library.ABI_VERSION
         for version, less, status in ((0, 0, -2), (own_version, 1, -2), (own_version, 0, 0)):
             self.assertEqual(library.pcvt_options_init(byref(options), size - less, version),
                              status)
-        what = _library.WriteOptions(struct_size=sizeof(_library.WriteOptions) - 1)
+        what = _structs.WriteOptions(struct_size=sizeof(_structs.WriteOptions) - 1)
         self.assertEqual(library.pcvt_write(result, b"/nowhere/a.txt", byref(what)), -2)
 
 class Choices(unittest.TestCase):
