@@ -105,12 +105,12 @@ std::optional<plane::PlaneGroupName> symmetry(std::int32_t value) {
     return chosen_row("symmetry", value, plane::kPlaneGroups).name;
 }
 
-std::optional<WishedAreas> wished_areas(const pcvt_options& options) {
+std::optional<TargetSizes> target_sizes(const pcvt_options& options) {
     if (options.areas != nullptr && options.area_law != nullptr) {
         throw InvalidInput("areas and area_law exclude each other; leave one out");
     }
     if (options.area_law != nullptr) {
-        return WishedAreas{.law = parse_area_law(options.area_law), .name = options.area_law};
+        return TargetSizes{.law = parse_area_law(options.area_law), .name = options.area_law};
     }
     if (options.areas == nullptr) {
         if (options.n_areas == 0) return std::nullopt;
@@ -119,7 +119,7 @@ std::optional<WishedAreas> wished_areas(const pcvt_options& options) {
     if (options.n_areas != options.n_sites) {
         throw InvalidInput("n_areas is not n_sites; give one area for each site");
     }
-    return WishedAreas{.given = Eigen::Map<const Eigen::VectorXd>(options.areas, options.n_areas),
+    return TargetSizes{.given = Eigen::Map<const Eigen::VectorXd>(options.areas, options.n_areas),
                        .name = "given"};
 }
 
@@ -254,7 +254,7 @@ Job make_job(const pcvt_options& options) {
         throw InvalidInput("find_origin is neither 0 nor 1");
     }
     job.tile.finds_origin = options.find_origin == 1;
-    job.areas = wished_areas(options);
+    job.areas = target_sizes(options);
     job.aspect = aspect(options);
     job.symmetry = symmetry(options.symmetry);
     job.walls = chosen_row("walls", options.walls, kWalls).walls;

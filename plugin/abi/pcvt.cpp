@@ -73,7 +73,7 @@ JobCallback job_callback(const HostProgress& to, double energy_bound, const std:
     };
 }
 
-/// Of runs without a density, else NaN.
+/// The bound of the energy, which runs without a density have; else NaN.
 double bound_of(const pcvt_options& options, const Job& job) {
     const bool uniform = options.density == nullptr && options.density_source == nullptr;
     return uniform ? energy_bound(job) : std::numeric_limits<double>::quiet_NaN();

@@ -110,7 +110,7 @@ pcvt_statistics SpaceResult::statistics() const {
 }
 
 bool SpaceResult::write(const WriteRequest& request, const JobCallback& callback) const {
-    // A wrong output is no fault of the cells.
+    // A wrong output is not a fault of the cells.
     plan_files(job_of(request));
     const auto make_tile = [this](JobMonitor& monitor) -> const ProvedSpaceTile& {
         return tile(monitor);

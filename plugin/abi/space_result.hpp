@@ -12,10 +12,10 @@ namespace pcvt::abi {
 /// The arrays of pcvt_cells that a tile does not have in this form.
 struct CellArrays {
     std::vector<int> neighbour;
-    /// Of each boundary face.
+    /// The partner of each boundary face, and the offset to it.
     std::vector<int> partner;
     std::vector<space::Offset> partner_offset;
-    /// Of each cell, length^3.
+    /// The volume of each cell, length^3.
     std::vector<double> volumes;
     /// 3 x n, in the domain, length units.
     space::Points sites;

@@ -65,7 +65,7 @@ FileOptions file_options(const pcvt_write_options& options) {
     return result;
 }
 
-/// Requires that surfaces are chosen for a file that has them alone.
+/// Requires that surfaces are chosen only for a file that has them.
 void check_surfaces(const std::string& path, const pcvt_write_options& options, bool in_space) {
     if (options.surface == PCVT_SURFACE_CELLS) return;
     if (!in_space) {

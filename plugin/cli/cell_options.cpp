@@ -41,7 +41,7 @@ void read_density(const CLI::App& app, const CellOptions& options, Job& job) {
 }
 
 /// A law, or the name of a file.
-WishedAreas wished_areas(const std::string& text) {
+TargetSizes target_sizes(const std::string& text) {
     if (names_area_law(text)) {
         try {
             return {.law = parse_area_law(text), .name = text};
@@ -120,7 +120,7 @@ void add_cell_options(CLI::App& app, CellOptions& options, Job& job) {
 void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job) {
     if (app.count("--aspect") > 0) job.aspect = read_aspect(options.aspect);
     if (app.count("--areas") > 0) {
-        job.areas = wished_areas(options.areas);
+        job.areas = target_sizes(options.areas);
         if (!names_area_law(options.areas)) job.inputs.push_back(options.areas);
     }
     if (app.count("--walls") > 0) {

@@ -13,14 +13,14 @@ namespace pcvt::cli {
 /// The files to check, and the properties that each must have.
 struct Question {
     std::vector<std::string> files;
-    /// Of files that state none; a stated one must be equal.
+    /// The lattice of files that state none; a stated one must be equal.
     std::optional<plane::Lattice> lattice;
     /// In units of h; `nullopt`: the Voronoi property is not checked.
     std::optional<double> cvt_tolerance;
     std::optional<AreaFile> areas = {};
-    /// Of which each cell lies inside or outside.
+    /// The shapes inside or outside of which each cell must lie.
     std::optional<InclusionFile> inclusions = {};
-    /// Of positions, length units; 0: that of the precision of each file.
+    /// The tolerance of positions, length units; 0: the precision of each file.
     double tolerance = 0;
     /// As typed; empty: rho = 1.
     std::string density = {};

@@ -79,7 +79,7 @@ const CLI::Option* option_before(const CLI::App& command, const std::string& wor
     return last;
 }
 
-/// A word that is no option, and that no option before it takes.
+/// A word that is not an option, and that no option before it takes.
 std::string stray_word(const CLI::App& command, const std::string& word,
                        std::span<const char* const> arguments) {
     const std::string head = shown(word) + ": ";

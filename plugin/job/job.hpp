@@ -29,8 +29,8 @@ namespace pcvt {
 /// lattice for their number, at the best state of a global search. job_start.hpp has their table.
 enum class Start { kRandom, kCoarse, kLattice, kBest };
 
-/// The wished areas of the cells: drawn from a law, or given.
-struct WishedAreas {
+/// The target areas of the cells: drawn from a law, or given.
+struct TargetSizes {
     AreaLaw law = {};
     /// One positive number a site, in any unit: scaled to the area of the domain. Empty: `law`.
     Eigen::VectorXd given = {};
@@ -110,7 +110,7 @@ struct Job {
     std::string density_name;
     /// Cells of prescribed areas: power cells. Excludes a density, and starts and solvers of cells
     /// that are all alike.
-    std::optional<WishedAreas> areas;
+    std::optional<TargetSizes> areas;
     /// The cells are Voronoi cells, or with `areas` power cells, in this metric.
     std::optional<Aspect> aspect;
     /// The sites are drawn, and remain, with the symmetry of this plane group; the lattice must fit

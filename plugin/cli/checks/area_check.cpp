@@ -49,7 +49,7 @@ bool moves_corners(const plane::Tile& tile) {
            (tile.kind == plane::MeshKind::kVoronoi && tile.short_edges > 0);
 }
 
-/// Compares the areas of the faces of each site with the wished ones.
+/// Compares the areas of the faces of each site with the target areas.
 plane::AreaComparison compare_face_areas(const plane::Tile& tile, const plane::TileProof& proof,
                                          const Eigen::VectorXd& wanted) {
     Eigen::VectorXd area = Eigen::VectorXd::Zero(wanted.size());
@@ -78,7 +78,7 @@ plane::AreaComparison compare_face_areas(const plane::Tile& tile, const plane::T
                   "without --areas");
 }
 
-/// Compares the areas of n cells with the wished ones.
+/// Compares the areas of n cells with the target areas.
 /// @param compare  measures the cells and compares them with areas in units of the domain.
 std::string prove_areas(
     const AreaFile& wanted, int n, double domain_area,

@@ -9,7 +9,7 @@
 namespace pcvt::cli {
 
 /// Compares the areas of the power cells, built from nothing, or where corners were moved those of
-/// the faces, with the wished ones.
+/// the faces, with the target areas.
 ///
 /// Example usage:
 ///     line += prove_tile_areas(path, file, proof, read_areas("grains.txt"));

@@ -254,9 +254,9 @@ class InclusionCheck {
     double domain_area_;
     /// Length units.
     double near_ = 0;
-    /// Of each site: its shape, or -1.
+    /// The shape of each site, or -1.
     std::vector<int> shape_;
-    /// Of each shape of one domain: whether its cells are left out.
+    /// Whether the cells of each shape of one domain are left out.
     std::vector<bool> is_hole_;
     std::vector<std::vector<OutlineEdge>> edges_;
     double area_error_ = 0;

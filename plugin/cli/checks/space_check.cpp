@@ -28,7 +28,7 @@ void refuse_cvt(const std::string& path, const std::optional<double>& cvt_tolera
     throw BadFile(path + ": --cvt needs cells, and the file holds " + found + "; check a .vtu");
 }
 
-/// Requires that no tolerance of positions is given for a file of which it is no use.
+/// Requires that no tolerance of positions is given for a file that does not need one.
 void refuse_tolerance(const std::string& path, double tolerance, const char* found) {
     if (tolerance == 0) return;
     throw BadFile(path + ": --tolerance is for cells and tetrahedra, and the file holds " + found +

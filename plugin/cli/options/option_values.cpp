@@ -20,7 +20,7 @@ namespace {
 }
 
 /// The value of a string of digits; 2^64 - 1 if it is larger than that.
-/// @returns false where `text` is no string of digits.
+/// @returns false unless `text` consists of digits.
 bool read_digits(std::string_view text, std::uint64_t& value) {
     constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
     const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };

@@ -13,7 +13,7 @@ std::string figure(double value);
 std::string counted(long n, const std::string& thing);
 
 /// Writes `text` to standard output. A reader that has closed the pipe, as `head` does, wants no
-/// more: that is no failure.
+/// more: that is not a failure.
 /// @throws OutputError if the write fails.
 void print(const std::string& text);
 

@@ -84,7 +84,7 @@ void StatusLine::draw(const std::vector<std::string>& parts) {
     const int most = terminal_columns() - 1;
     const std::string line = fit_line(parts, most);
     const int columns = columns_of(line);
-    // Spaces overwrite the rest of the previous line: dumb terminals know no "clear to the end".
+    // Spaces overwrite the rest of the previous line: dumb terminals lack "clear to the end".
     const int rest = std::max(0, std::min(drawn_, most) - columns);
     drawn_ = columns;
     std::fprintf(stderr, "\r%s%*s", line.c_str(), rest, "");

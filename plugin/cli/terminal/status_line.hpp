@@ -7,7 +7,7 @@
 namespace pcvt::cli {
 
 /// One line on standard error, redrawn at most ten times a second and cleared at the end. Silent if
-/// standard error is no terminal.
+/// standard error is not a terminal.
 ///
 ///   StatusLine line(true);
 ///   if (line.due()) line.draw({"half done", "12 s left"});

@@ -55,7 +55,7 @@ def set_doubles(options, **arrays):
 def set_fields(function, options, fields):
     """Sets fields of pcvt.h that are one number, by their names there.
 
-    function    its name, for the message about a name that is no such field
+    function    its name, for the message about another name
     """
     kinds = dict(pair[:2] for pair in options._fields_)
     for name, value in fields.items():

@@ -8,7 +8,7 @@ CELL = np.dtype([("site", np.int32), ("x", np.float64), ("y", np.float64), ("wei
                  ("circularity", np.float64), ("phase", np.int32), ("phi1", np.float64),
                  ("Phi", np.float64), ("phi2", np.float64), ("orbit", np.int32), ("neighbours", object)])
 
-# Edges shorter than this, in units of sqrt(mean area), are no sides.
+# Edges shorter than this, in units of sqrt(mean area), do not count as sides.
 _SHORT_EDGE = 1e-5
 
 

@@ -89,7 +89,7 @@ class Result:
         gltf_nodes  of .glb and .gltf: cells (a node for each cell) or one
         float32     of .ply: 32-bit coordinates, and cells as triangles
         pixels      width of .png; 0: 1024
-        cut_width   of .svg and .dxf: lines to cut alone, of a tile with this width in millimetres
+        cut_width   of .svg and .dxf: only lines to cut, of a tile with this width in millimetres
         element     of .inp: CPE (plane strain) or CPS (plane stress)
         job         of .inp: none, or elastic: materials and steps, so that CalculiX runs the file
         materials   of .inp with job="elastic", and of .vti: the elastic constants of each phase, {name: (E, nu)},

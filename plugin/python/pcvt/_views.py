@@ -59,7 +59,7 @@ class Statistics(NamedTuple):
     valences      int32: valences[k] cells have k sides, edges under 1e-5 h not counted
     stop          "converged", "iteration-limit" or "stalled"
     n_mirrors     -1 if the triangulation was built without mirrors
-    area_error    largest |area - wished| / wished; NaN without areas
+    area_error    largest |area - target| / target; NaN without areas
     newton_steps  that found the weights; 0 without areas
     dropped       int32 of shape (k, 2): each site that duplicates="drop" left out, by its number in the
                   input, and the earlier site with which it coincides
@@ -117,7 +117,7 @@ class TorusMesh:
 
 class Tile:
     """One fundamental domain as an open disc, with the pairing of its boundary, the seam. With holes
-    it is no disc.
+    it is not a disc.
 
     The boundary edge v0 -> v1 (its face on the left) is glued to w0 -> w1 (its face on the right):
     points[w] = points[v] + (i, j) @ lattice. Each boundary edge belongs to one pair or one wall. For
