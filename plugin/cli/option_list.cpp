@@ -13,6 +13,7 @@
 #include "plugin/cli/mesh_options.hpp"
 #include "plugin/job/features.hpp"
 #include "plugin/job/job_start.hpp"
+#include "plugin/job/number_options.hpp"
 
 namespace pcvt::cli {
 namespace {
@@ -116,6 +117,7 @@ void append_option(JsonWriter& json, const OptionWords& option) {
     json.member("plane", in_plane);
     json.member("space", in_space);
     json.member("fields", option_fields(option.names.back()));
+    json.member("number", find_number_option(option.names.back()) != nullptr);
     json.member("formats", formats_with(feature));
     json.member("help", first_clause(option.description));
 }

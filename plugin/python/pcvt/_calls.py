@@ -2,14 +2,14 @@
 
 import operator
 import os
-from ctypes import byref, c_double, c_int32, c_int64, c_uint64, c_void_p, sizeof
+from ctypes import byref, c_void_p, sizeof
 
 import numpy as np
 
 from . import _library, _structs
 from ._callbacks import Callbacks
 from ._library import ArgumentError, Handle, checked, library
-from ._words import CHOICES
+from ._words import CHOICES, NUMBERS
 
 
 def choice(name, value, option=None, dimension=2):
@@ -52,16 +52,18 @@ def set_doubles(options, **arrays):
         field[:] = doubles(name, values, len(field)).tolist()
 
 
-def set_fields(function, options, fields):
-    """Sets fields of pcvt.h that are one number, by their names there.
-
-    function    its name, for the message about another name
-    """
-    kinds = dict(pair[:2] for pair in options._fields_)
-    for name, value in fields.items():
-        if kinds.get(name) not in (c_double, c_int32, c_int64, c_uint64) or name.startswith("reserved"):
+def require_numbers(function, struct, names):
+    """Requires that a function got only names of options whose value is one number, by their fields of pcvt.h."""
+    for name in names:
+        if name not in NUMBERS or not hasattr(struct, name):
             raise TypeError(f"{function}() got an unexpected keyword argument {name!r}")
-        if kinds[name] is c_double:
+
+
+def set_fields(function, options, fields):
+    """Sets fields of pcvt.h that are one number, by their names there."""
+    require_numbers(function, options, fields)
+    for name, value in fields.items():
+        if isinstance(getattr(options, name), float):
             setattr(options, name, value)
         else:
             set_integers(options, **{name: value})

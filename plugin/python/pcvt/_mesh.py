@@ -4,9 +4,11 @@ import numpy as np
 
 from ._arguments import (period_vectors, refuse_plane_only, set_areas, set_fixed, set_inclusions,
                          set_materials)
-from ._calls import choice, default_options, generated, set_doubles, set_fields, set_integers, set_sites, shaped
+from ._calls import (choice, default_options, generated, require_numbers, set_doubles, set_fields, set_integers,
+                     set_sites, shaped)
 from ._result import Result
 from ._space import SpaceResult
+from ._structs import Options
 
 
 def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0), origin=(0, 0),
@@ -126,6 +128,7 @@ def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="
 
         result = pcvt.space(sites=100)               # pcvt.mesh(sites=100, period=(1, 1, 1))
     """
+    require_numbers("space", Options, fields)
     if lattice is not None:
         shaped("lattice", lattice, (3, 3), (9,))
     if period is not None:

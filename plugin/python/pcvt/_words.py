@@ -38,3 +38,9 @@ PLANE_ONLY = {
     "random_orientations", "repeat", "retry", "rows", "single_precision", "size", "symmetry", "thickness",
     "voxel_layers", "voxels", "wall_cells", "walls",
 }
+
+# Fields of pcvt.h that state an option whose value is one number.
+NUMBERS = {
+    "tolerance", "max_iterations", "grain_size", "grain_per_edge", "short_edges", "pixels", "cut_width",
+    "thickness",
+}

@@ -41,7 +41,7 @@ plane::Points some_sites(std::mt19937_64& random, const plane::Lattice& lattice,
     return points;
 }
 
-WishedAreas some_areas(std::mt19937_64& random, int n) {
+TargetSizes some_areas(std::mt19937_64& random, int n) {
     switch (below(random, 4)) {
         case 0:
             return {.law = parse_area_law("equal"), .name = "equal"};
@@ -251,7 +251,7 @@ TEST(JobAreas, SitesOfAFileKeepTheirNumbersAndPlaces) {
     job.in_plane().lattice = plane::Lattice({2, 0}, {0.7, 1});
     job.n_sites = 50;
     job.in_plane().points = uniform_points(job.in_plane().lattice, 50, 3);
-    job.areas = WishedAreas{.given = Eigen::VectorXd::LinSpaced(50, 1, 3), .name = "areas.txt"};
+    job.areas = TargetSizes{.given = Eigen::VectorXd::LinSpaced(50, 1, 3), .name = "areas.txt"};
     job.aspect = Aspect{.ratio = 2, .degrees = 30};
     job.run.max_iterations = 0;
     const Computation<PlaneWorld> computed = compute_job<PlaneWorld>(job, {}).value();
@@ -269,7 +269,7 @@ TEST(JobAreas, SitesOfAFileKeepTheirNumbersAndPlaces) {
 TEST(JobAreas, SortedAreasOfAFileLieAtRandom) {
     Job job;
     job.n_sites = 400;
-    job.areas = WishedAreas{.given = Eigen::VectorXd::LinSpaced(400, 1, 9), .name = "areas.txt"};
+    job.areas = TargetSizes{.given = Eigen::VectorXd::LinSpaced(400, 1, 9), .name = "areas.txt"};
     job.run.max_iterations = 0;
     const plane::Points sites =
         wrapped_sites(compute_job<PlaneWorld>(job, {}).value().cells, job.tile.origin);
@@ -302,7 +302,7 @@ TEST(JobAreas, ProgressNamesTheStepsAndRises) {
     for (const int steps : {-1, 0, 3}) {
         Job job;
         job.n_sites = 200;
-        job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+        job.areas = TargetSizes{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
         job.run.max_iterations = steps;
         job.run.tolerance = 1e-3;
         std::string words;
@@ -328,7 +328,7 @@ TEST(JobAreas, ProgressNamesTheStepsAndRises) {
 TEST(JobAreas, AnyCallOfTheCallbackCancels) {
     Job job;
     job.n_sites = 100;
-    job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+    job.areas = TargetSizes{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
     job.run.max_iterations = 2;
     for (int last = 0; last < 12; ++last) {
         int n_calls = 0;
@@ -344,7 +344,7 @@ TEST(JobAreas, SitesOfTheReportsAreThoseOfTheFiles) {
     job.n_sites = 30;
     job.in_plane().lattice = plane::Lattice({1, 0}, {0.4, 0.9});
     job.aspect = Aspect{.ratio = 3, .degrees = 110};
-    job.areas = WishedAreas{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+    job.areas = TargetSizes{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
     job.run.max_iterations = 1;
     job.tile.origin = {3, -2};
     job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kGrains};

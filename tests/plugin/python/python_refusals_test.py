@@ -54,6 +54,21 @@ class Refusals(unittest.TestCase):
         self.refuse(pcvt.ArgumentError, r"period \(2, 0\): a side is not above 0", period=(2, 0))
         self.refuse(pcvt.ArgumentError, "period has the shape", period=2)
 
+    def test_numbers_reach_the_library_by_their_fields_and_no_other_name_does(self):
+        for name in ("typo", "dimension", "struct_size", "reserved", "pixels"):
+            with self.assertRaisesRegex(TypeError, f"mesh.. got an unexpected keyword argument '{name}'"):
+                pcvt.mesh(10, **{name: 1})
+        with self.assertRaisesRegex(TypeError, "space.. got an unexpected keyword argument 'areas'"):
+            pcvt.space(10, areas=[1] * 10)
+        with self.assertRaisesRegex(pcvt.ArgumentError, "^grain_size is not for three dimensions"):
+            pcvt.space(10, grain_size=0.1)
+        with self.assertRaisesRegex(TypeError, "write.. got an unexpected keyword argument 'seed'"):
+            pcvt.mesh(10).write("a.svg", seed=1)
+        with self.assertRaisesRegex(pcvt.ArgumentError, "^pixels is not for files in three dimensions"):
+            pcvt.space(10).write("a.png", pixels=3)
+        with self.assertRaises(TypeError):
+            pcvt.space(10).write("a.png", pixels=2.5)
+
     def test_unwritable_files_name_the_path(self):
         with self.assertRaisesRegex(OSError, "/dev/null/tile.ply"):
             pcvt.mesh(10).write("/dev/null/tile.ply")

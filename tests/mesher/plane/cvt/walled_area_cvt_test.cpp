@@ -165,7 +165,7 @@ double farthest_beyond_walls(const WalledAreaCvt& result) {
     return farthest;
 }
 
-TEST(WalledAreaCvt, SlowRandomJobsGiveTheCellsOfHalfPlanesInTheWishedAreas) {
+TEST(WalledAreaCvt, SlowRandomJobsGiveTheCellsOfHalfPlanesInTheTargetSizes) {
     const int n = testing::case_count("PCVT_AREA_CASES", 200);
     int n_rounding = 0;
     for (int k = 0; k < n; ++k) {

@@ -48,7 +48,7 @@ void expect_areas(const BuiltTile& built, int n, int seed, const CellShape& shap
 }
 
 // Laws 2 and 3, by the proof of tiles.
-TEST(AreaFit, GrainsHaveTheWishedAreas) {
+TEST(AreaFit, GrainsHaveTheTargetSizes) {
     for (const auto& [name, lattice] : testing::lattices()) {
         for (const CellShape& shape : {kRound, kElongated}) {
             for (const int n : {1, 2, 3, 5, 8, 60, 200}) {
