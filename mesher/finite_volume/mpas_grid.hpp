@@ -64,7 +64,7 @@ struct MpasGrid {
     std::vector<double> area_cell, area_triangle, dc_edge, dv_edge, angle_edge;
     /// The density at the sites relative to its largest value there; 1 if it is uniform.
     std::vector<double> mesh_density;
-    /// Of a file that states it: the mean of mesh_density over the area.
+    /// The mean of mesh_density over the area, as a file states it; nullopt: not stated.
     std::optional<double> stated_mean_density;
     /// As stated; nullopt: no Coriolis parameter.
     std::optional<Coriolis> coriolis;

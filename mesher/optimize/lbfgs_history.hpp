@@ -17,7 +17,7 @@ namespace pcvt {
 /// The class is made for large n, where memory traffic determines the time: vectors are stored at
 /// 16 bits a number, and an iteration sweeps over them twice. The first sweep, after an evaluation,
 /// computes the dot products of the new gradient with all of them. From these follow the products
-/// between all pairs, and from the products alone the coefficients of the two-loop recursion (J.
+/// between all pairs, and from only these products the coefficients of the two-loop recursion (J.
 /// Nocedal 1980; W. Chen, Z. Wang, J. Zhou 2014). The second sweep combines the next direction and
 /// rounds it to its stored value. A step is therefore known exactly, and a change of gradient to 1
 /// / 65,534 of the largest number of its block. With a preconditioner M the initial Hessian is M,

@@ -52,8 +52,8 @@ constexpr const WallsRow* walls_of_numbers(double across_x, double across_y) {
     });
 }
 
-/// What the cells beside a wall are: whole cells of sites off the wall, or halves of cells whose
-/// sites lie on it.
+/// The cells beside a wall: whole cells of sites off the wall, or halves of cells whose sites lie
+/// on it.
 enum class WallCells { kWhole, kHalf };
 
 struct WallCellsRow {

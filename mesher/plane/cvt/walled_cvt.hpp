@@ -9,8 +9,8 @@ namespace pcvt::plane {
 
 /// A CVT between walls, and the torus of which it is a part.
 struct WalledCvt {
-    /// Of the domain and its mirror images; energies, masses and bounds are those of the domain, in
-    /// which the cell of a site on a wall counts as a half, in a corner as a quarter.
+    /// The CVT of the domain and its mirror images. Energies, masses and bounds are those of the
+    /// domain, in which the cell of a site on a wall counts as a half, in a corner as a quarter.
     CvtResult torus;
     /// Which sites of the torus belong to the domain.
     WalledDomain domain;

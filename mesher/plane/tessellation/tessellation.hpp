@@ -79,7 +79,7 @@ struct Tessellation {
         return elongation ? elongation->lattice : delaunay.sites().lattice();
     }
     int n_sites() const { return walled ? walled->n_sites : delaunay.sites().n_sites(); }
-    /// Of sites; 0 without a symmetry.
+    /// The number of orbits of sites; 0 without a symmetry.
     int n_orbits() const {
         return site_orbits.empty() ? 0
                                    : *std::max_element(site_orbits.begin(), site_orbits.end()) + 1;
@@ -98,7 +98,7 @@ struct Tessellation {
 /// mesh() without the faces in holes, whose sites are numbered as in wrapped_sites().
 PeriodicMesh mesh_outside_holes(const Tessellation& tessellation, MeshKind kind);
 
-/// table() without the cells in holes, which are no neighbours either.
+/// table() without the cells in holes, which do not count as neighbours either.
 CellTable table_outside_holes(const Tessellation& tessellation);
 
 /// Builds a tile, as build_tile() does from a triangulation, with the elongation, the walls, the

@@ -14,7 +14,7 @@ namespace pcvt::plane {
 ///   (2) Of the two nodes on an edge of the seam one is the representative, in the middle of its
 ///       edge; the other one is the representative + translation, computed once.
 struct MidsideNodes {
-    /// Node n_vertices() + k stands at points[k], length units.
+    /// points[k] is the position of node n_vertices() + k, length units.
     std::vector<Vec2> points;
     /// For each corner of the tile the node between it and the next corner of its face.
     std::vector<int> of_corner;

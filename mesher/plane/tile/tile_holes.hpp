@@ -35,7 +35,7 @@ PeriodicMesh with_holes(PeriodicMesh mesh, const HoleSites& holes);
 std::vector<double> holes_as_numbers(const Tile& tile);
 
 /// Adds the holes of such a list to a tile without holes, which has its vertices.
-/// @throws InvalidInput if the list is no such list.
+/// @throws InvalidInput if the list does not have that form.
 void take_holes(std::span<const double> numbers, Tile& tile);
 
 }  // namespace pcvt::plane

@@ -12,7 +12,7 @@ namespace {
 constexpr int kSitesPerLeaf = 4;
 /// Distances of balls are rounded.
 constexpr double kBallRounding = 1 + 1e-9;
-/// Of each site, images up to this many periods from the nearest one.
+/// The search covers the images of each site up to this many periods from the nearest one.
 constexpr int kBeside = 2;
 
 }  // namespace
@@ -20,7 +20,7 @@ constexpr int kBeside = 2;
 struct ImageSearch::Query {
     const Vec3& point;
     const Admits& admits;
-    /// Of the nearest image so far, or the square of the radius.
+    /// The squared distance of the nearest image so far, or the square of the radius.
     double least;
     Corner found{-1, {}};
 };

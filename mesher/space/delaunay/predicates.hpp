@@ -107,8 +107,8 @@ int in_sphere(const Gram& gram, const Image& p, const Image& q, const Image& r, 
 bool violates_delaunay(const Gram& gram, const Image& p, const Image& q, const Image& r,
                        const Image& s, const Image& t);
 
-/// Of coplanar images, p, q and r not collinear: returns +1 if t lies inside of the circle through
-/// the others, -1 if outside, 0 if on it. Always exact arithmetic.
+/// For coplanar images with p, q and r not collinear, returns +1 if t lies inside of the circle
+/// through the others, -1 if outside, 0 if on it. Always exact arithmetic.
 int in_coplanar_circle(const Gram& gram, const Image& p, const Image& q, const Image& r,
                        const Image& t);
 

@@ -248,9 +248,9 @@ class ShrinkingComplex {
     /// A face that has vanished has no corners.
     std::vector<Corners> faces_;
     std::vector<std::vector<Use>> uses_;
-    /// Of each vertex.
+    /// The cells round each vertex.
     std::vector<std::vector<SiteId>> cells_;
-    /// Of the cells of the diagram.
+    /// The volumes of the cells of the diagram.
     std::vector<double> volumes_;
 };
 
