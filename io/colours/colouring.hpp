@@ -16,7 +16,7 @@ namespace pcvt {
 /// The quantity that the colours of a tile show.
 enum class Colouring { kSides, kSize, kCells, kDensity, kPhase, kOrbit, kTag };
 
-/// What a run must have besides its tile, so that colours can show it.
+/// The quantity that a run must have besides its tile, so that colours can show it.
 enum class ColouringNeed { kNothing, kDensity, kPhases, kOrbits, kTags };
 
 /// One colour of a tile.

@@ -180,7 +180,7 @@ class SeamDivision {
 
     const space::TetrahedralMesh& mesh_;
     SeamEntities entities_;
-    /// Of the points of the boundary.
+    /// The uses of each point of the boundary.
     std::map<int, PointUse> uses_of_;
 };
 

@@ -7,7 +7,7 @@
 
 namespace pcvt {
 
-/// For formats of solvers that know no polygons.
+/// Requires triangles, for formats of solvers that do not support polygons.
 /// @throws InvalidInput `path: what; take the mesh delaunay or grains`, if `kind` has them.
 void require_triangles(plane::MeshKind kind, const std::string& path);
 

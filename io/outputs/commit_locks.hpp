@@ -50,7 +50,7 @@ class CommitLocks {
     struct Lock {
         explicit Lock(const std::string& folder);
         std::string path;
-        /// Whether a file of another user is no lock.
+        /// Whether a file of another user does not count as a lock.
         bool is_of_one_user = false;
         /// -1: not held.
         int file = -1;

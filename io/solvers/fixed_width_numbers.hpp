@@ -16,8 +16,8 @@ class FixedWidthNumbers {
     /// @param largest  the largest number to come, by its absolute value; above 0.
     explicit FixedWidthNumbers(double largest);
 
-    /// @returns false, and leaves `text` alone, where the value would be off by more than half an
-    ///          ulp of the largest number.
+    /// @returns false, and does not change `text`, where the value would be off by more than half
+    ///          an ulp of the largest number.
     /// @throws InternalError if it is not finite.
     bool append(std::string& text, double value) const;
 

@@ -61,7 +61,7 @@ struct VtuGrid {
     /// x, y and z, length units.
     std::vector<std::array<double, 3>> points;
     ElementList cells;
-    /// Of polyhedra, in each: the number of its faces; for each face the number of its points, and
+    /// For each polyhedron, the number of its faces; for each face the number of its points, and
     /// these, counter-clockwise seen from outside.
     Faces polyhedra = {};
     std::vector<VtuData> field_data = {};
