@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The C interface of pcvt: periodic centroidal Voronoi tessellations, for hosts in any language.
- * This header alone is under the MIT licence; the library behind it is GPL-3.0-or-later.
+ * Only this header is under the MIT licence; the library behind it is GPL-3.0-or-later.
  *
  *     pcvt_options options;
  *     pcvt_result* result;
@@ -185,7 +185,7 @@ typedef int (*pcvt_progress_callback)(const pcvt_progress* progress, void* data)
 
 /** A density at many points, called only on the thread that called pcvt_generate().
  *
- *  It must be periodic, finite and positive, and a function of the point alone.
+ *  It must be periodic, finite and positive, and depend only on the point.
  *  @param points  n_points pairs x, y; anywhere in the plane.
  *  @param values  n_points numbers, to be filled.
  *  @returns       0; any other number ends the run with PCVT_ERROR_DOMAIN.
@@ -361,7 +361,7 @@ typedef struct pcvt_wall_edge {
  *
  *  For each vertex v: position(v) = position(vertex_orbit[v]) + the translation of
  *  vertex_offset[v]. Each boundary edge belongs to exactly one of the edge pairs or wall edges. A
- *  tile with holes is no disc, and need not be connected before gluing.
+ *  tile with holes is not a disc, and need not be connected before gluing.
  */
 typedef struct pcvt_tile {
     double lattice[4];            /**< columns a, rows b */
@@ -447,7 +447,7 @@ typedef struct pcvt_statistics {
     int32_t n_threads;
     int32_t n_mirrors;      /**< -1 if the triangulation was built without mirrors, and in three
                                dimensions */
-    double area_error;      /**< largest |area - wished| / wished; NaN without areas */
+    double area_error;      /**< largest |area - target| / target; NaN without areas */
     int32_t newton_steps;   /**< that found the weights; 0 without areas */
     int32_t n_dropped;      /**< sites that PCVT_DUPLICATES_DROP left out */
     const int32_t* dropped; /**< n_dropped pairs: the number of such a site in the options, and that
@@ -470,14 +470,14 @@ typedef struct pcvt_write_options {
     int32_t single_precision; /**< not 0: .ply with 32-bit coordinates and triangles [0] */
     int32_t pixels;           /**< width of .png [0: 1024] */
     int32_t element;          /**< of .inp [PCVT_CPE] */
-    double cut_width;       /**< .svg and .dxf with lines to cut alone, of a tile with this width in
+    double cut_width;       /**< .svg and .dxf with only lines to cut, of a tile with this width in
                                millimetres [0: a picture as .svg, .dxf in the unit of the periods] */
     const char* background; /**< of .svg, "#rrggbb" or "none" [NULL: none] */
     int32_t voxels[2];      /**< of .vti, along x and y [0, 0: about 16 along h] */
     int32_t job;            /**< of .inp: PCVT_JOB_... [PCVT_JOB_NONE] */
     int32_t voxel_layers;   /**< of .vti: equal layers along z [0: 1] */
     double thickness; /**< of .foam: height of the layer of cells along z [0: sqrt(area / faces)] */
-    int32_t surface;  /**< PCVT_SURFACE_..., in three dimensions alone [PCVT_SURFACE_CELLS] */
+    int32_t surface;  /**< PCVT_SURFACE_..., only in three dimensions [PCVT_SURFACE_CELLS] */
     int32_t reserved2;
     const char* materials; /**< of .inp with PCVT_JOB_ELASTIC, and of .vti: elastic constants of
                               each phase, "NAME:E,NU", "NAME:C11,C12,C44" of cubic crystals or
@@ -514,7 +514,7 @@ PCVT_API pcvt_status pcvt_options_init(pcvt_options* options, size_t struct_size
 /** Generates a periodic centroidal Voronoi tessellation.
  *  @param result  the result for PCVT_OK and PCVT_NOT_CONVERGED, to be freed; else NULL.
  *  Any thread, any number of calls at once. The call starts threads and ends them before it
- * returns. It calls callbacks on the calling thread alone; callbacks may call this library. */
+ * returns. It calls callbacks only on the calling thread; callbacks may call this library. */
 PCVT_API pcvt_status pcvt_generate(const pcvt_options* options, pcvt_result** result);
 
 /** Frees a result and ends its views; ignores NULL. Any thread, once no call uses the result. */
