@@ -28,7 +28,7 @@ inline plane::Polygon points_on(const plane::Shape& shape, int n) {
 
 struct RandomInclusions {
     int n_shapes = 5;
-    /// Of these, the first lie across the seam or a corner of the domain.
+    /// The number of shapes, the first ones, that lie across the seam or a corner of the domain.
     int n_across = 0;
     double fraction = 0.3;
     /// In units of sqrt(area).

@@ -15,7 +15,7 @@ const { Plot } = await load('plot.js');
 const { Runs } = await load('run.js');
 const { commandOf, hashOf, readOptions } = await load('fields.js');
 
-/** Plots levels of so many iterations each, the last of which is the run; returns the picture. */
+/** Plots levels with these numbers of iterations, the last of which is the run; returns the picture. */
 function plotted(levels) {
     const svg = {}, plot = new Plot(svg), n = levels.reduce((sum, level) => sum + level, 0);
     let done = 0;
@@ -46,7 +46,7 @@ function checkPlot() {
     }
 }
 
-/** A page that notes what it sees, and runs whose ends the test chooses. */
+/** A page that records its events, and runs whose ends the test chooses. */
 function watchedRuns() {
     const seen = [], calls = [];
     const mesh = (options) => new Promise((finish, fail) => {
