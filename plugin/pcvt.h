@@ -105,10 +105,10 @@ enum { PCVT_NODES_DEFAULT = 0, PCVT_NODES_CELLS = 1, PCVT_NODES_ONE = 2 };
 /** The elements of .inp files: plane strain, plane stress. */
 enum { PCVT_CPE = 0, PCVT_CPS = 1 };
 
-/** What .inp files hold besides the mesh: nothing, or materials and steps that CalculiX runs. */
+/** Contents of .inp files besides the mesh: nothing, or materials and steps that CalculiX runs. */
 enum { PCVT_JOB_NONE = 0, PCVT_JOB_ELASTIC = 1 };
 
-/** What .obj, .ply and .glb show in three dimensions: every cell, or the boundary of the tile. */
+/** Contents of .obj, .ply and .glb in three dimensions: every cell, or the boundary of the tile. */
 enum { PCVT_SURFACE_CELLS = 0, PCVT_SURFACE_BOUNDARY = 1 };
 
 /** The quantity that the colours of a file show, CELLS: neighbours differ. */
@@ -142,7 +142,7 @@ enum {
     PCVT_WALL_HOLE = 4
 };
 
-/** What becomes of given sites that are nearer to an earlier one than 1e-9 h. */
+/** The treatment of given sites that are nearer to an earlier one than 1e-9 h. */
 enum { PCVT_DUPLICATES_REFUSE = 0, PCVT_DUPLICATES_DROP = 1 };
 
 /** Why a run ended. */
@@ -503,7 +503,7 @@ PCVT_API const char* pcvt_status_text(pcvt_status status);
  *  after PCVT_OK. The text is valid until the next such call of this thread. */
 PCVT_API const char* pcvt_last_error(void);
 
-/** Fills in the defaults; fields that this library does not know become zero.
+/** Fills in the defaults; fields that this library does not have become zero.
  *  @param struct_size  sizeof(pcvt_options) of the host.
  *  @param abi_version  PCVT_ABI_VERSION of the host.
  *  @returns PCVT_ERROR_ABI if the two do not fit this library; *options does not change then.

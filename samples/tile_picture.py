@@ -34,7 +34,7 @@ def text_of(path, remedy):
 
 
 def is_count(word):
-    """Tells whether int() takes the word and it has no sign; str.isdigit alone accepts '²' and any length."""
+    """Returns whether int() takes the word and it has no sign; str.isdigit also accepts '²' and any length."""
     return word.isascii() and word.isdigit() and len(word) <= MOST_DIGITS
 
 

@@ -41,8 +41,8 @@ struct SpaceFormat {
     /// Returns the kind of files of this extension, as `pcvt check` reads them; nothing if they do
     /// not hold a tile in space. Null for pictures and sites.
     std::optional<SpaceFileKind> (*kind)(const std::vector<EncodedFile>& files) = nullptr;
-    /// Reads tetrahedra, and compares all that the file states beside them with what follows from
-    /// them. Set if and only if encode_tetrahedra is set.
+    /// Reads tetrahedra, and compares all other statements of the file with the values that follow
+    /// from them. Set if and only if encode_tetrahedra is set.
     space::TetrahedralMesh (*decode_tetrahedra)(const EncodedFile& file) = nullptr;
     void (*compare_tetrahedra)(const EncodedFile& file,
                                const space::TetrahedralMesh& mesh) = nullptr;

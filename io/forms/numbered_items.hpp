@@ -11,7 +11,7 @@ namespace pcvt {
 struct FileTileBuilder;
 
 /// Items of a solver's file under the numbers that the file gives them, in any order and with gaps.
-/// Each item knows its line.
+/// Each item holds its line.
 struct NumberedItems {
     struct Node {
         int number;

@@ -88,7 +88,7 @@ struct StatedNote {
     std::vector<double> numbers;
 };
 
-/// Returns the notes that a file of the tile states: none where the tile does not know the
+/// Returns the notes that a file of the tile states: none where the tile does not have the
 /// positions of its sites (mesher/plane/tile/site_positions.hpp).
 /// @param of_arrays  whether SiteNote::always_in_arrays counts.
 std::vector<StatedNote> stated_notes(const plane::Tile& tile, bool of_arrays = false);

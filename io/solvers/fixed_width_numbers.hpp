@@ -6,7 +6,7 @@
 
 namespace pcvt {
 
-/// The characters of a number that Abaqus and CalculiX read; what follows them is dropped unseen.
+/// The characters of a number that Abaqus and CalculiX read; they ignore all further ones.
 inline constexpr std::size_t kFixedWidth = 20;
 
 /// Numbers of at most 20 characters: the shortest that read back as the value where they fit, else

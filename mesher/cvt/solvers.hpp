@@ -17,7 +17,7 @@ enum class Solver { kLbfgs, kLloyd, kNewton, kPlainLbfgs };
 /// Minimises from the point that the objective holds.
 using Minimize = OptimizerResult (*)(Objective&, const OptimizerOptions&, Workers&);
 
-/// A solver as options, reports and runs know it.
+/// A solver in options, reports and runs.
 ///
 ///   const OptimizerResult end = solver_row(Solver::kLbfgs).minimize(objective, options, workers);
 struct SolverRow {

@@ -11,7 +11,7 @@ namespace pcvt {
 /// all four. The domain stays periodic along the other direction.
 enum class Walls { kNone, kX, kY, kXY };
 
-/// Walls as options, files, reports and the C interface know them.
+/// Walls in options, files, reports and the C interface.
 struct WallsRow {
     Walls walls;
     const char* word;

@@ -1,4 +1,5 @@
-// What JavaScript calls of the module: options and results of pcvt.h, with fields by name.
+// The functions of the module that JavaScript calls: options and results of pcvt.h, with fields by
+// name.
 #include <emscripten.h>
 
 #include <algorithm>

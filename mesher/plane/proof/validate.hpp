@@ -58,7 +58,7 @@ struct TileProof {
 /// In a tile with holes, an edge may be that of a hole instead of having a partner (2); the faces
 /// are connected over edges and the seam (3); V - E + F = -k for k loops (4); the areas of the
 /// faces and of the holes' polygons have the sum (5). Which edges lie at holes is read from
-/// Tile::wall_edges, all else from positions.
+/// Tile::wall_edges, everything else from positions.
 ///
 /// For a tile with walls, laws (2), (4) and (5) are those of the tile together with its mirror
 /// images (validate_walls.hpp), and law (3) is that of the tile. An edge whose partner belongs to

@@ -132,8 +132,8 @@ Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin);
 /// Moves points into the Domain at `origin`, but not across walls.
 Points wrapped_points(Points points, const Lattice& lattice, const Vec2& origin, Walls walls);
 
-/// The energy of as many regular hexagons (hexagonal_bound()) in the area of the domain. The cells
-/// of sites on walls count as what lies between the walls.
+/// The energy of as many regular hexagons (hexagonal_bound()) in the area of the domain. Cells
+/// of sites on walls count only with their parts between the walls.
 double energy_bound(const Tessellation& tessellation);
 
 /// Whether the sites are at a minimum of the energy, according to its Hessian; `nullopt` if the run

@@ -6,8 +6,8 @@
 
 namespace pcvt::plane {
 
-/// The nodes in the middle of the edges of a tile: what makes its triangles six-node triangles with
-/// straight sides. They are numbered on from the vertices of the tile.
+/// The nodes in the middle of the edges of a tile, by which its triangles become six-node triangles
+/// with straight sides. They are numbered on from the vertices of the tile.
 ///
 /// Laws, tested by number:
 ///   (1) Each edge of the tile has one node, and the two faces at an edge share it.

@@ -63,7 +63,7 @@ struct WallEdge {
     friend constexpr auto operator<=>(const WallEdge&, const WallEdge&) = default;
 };
 
-/// A tile as plain arrays: what writers take and readers give back.
+/// A tile as plain arrays, which writers take and readers return.
 ///
 /// Offsets are in the basis of `lattice`, the one that the user typed (times the repetition).
 struct Tile {

@@ -8,7 +8,7 @@
 namespace pcvt::space {
 
 /// All images of the sites of a torus, for queries by distance. The sites are in a tree of balls;
-/// each ball stands for all of its images, so that a query takes time of order log n for sites that
+/// each ball represents all of its images, so that a query takes time of order log n for sites that
 /// are spread in any way, also where it reaches over thousands of periods.
 ///
 /// Example usage:

@@ -65,8 +65,8 @@ class ShrinkingComplex {
         for (const CellBody& body : cell_bodies(complex)) volumes_.push_back(body.volume);
     }
 
-    /// Removes what may be removed of the edges that are short now.
-    /// @returns whether it was anything.
+    /// Removes those of the edges that are short now that may be removed.
+    /// @returns whether it has removed an edge.
     bool remove_edges() {
         bool any = false;
         long n_seen = 0;

@@ -90,7 +90,7 @@ double contrast(Colour colour, Colour other) {
 }
 
 TEST(Palette, EveryEyeTellsTheNumbersOfSidesApart) {
-    // Twenty is plain at a glance; two is the least that anyone can tell.
+    // Twenty is plain at a glance; two is the least difference that anyone sees.
     for (const Matrix& eye : {kNormal, kProtanopia, kDeuteranopia, kTritanopia}) {
         for (int sides = 3; sides <= 9; ++sides) {
             for (int other = 3; other < sides; ++other) {

@@ -22,7 +22,7 @@ FORMATS = {"voronoi": ("obj", "ply", "glb", "gltf", "om", "vtu"),
            "grains": ("obj", "ply", "glb", "gltf", "om", "vtu", "msh", "inp")}
 QUADRATIC = ("vtu", "msh", "inp")
 SAME_AREA = 1e-8
-# What pcvt may say of a job that is well posed, besides success.
+# The refusals that a well-posed job may meet.
 REFUSALS = (r"too thin", r"too small", r"single precision is too coarse", r"closer than", r"smaller spread",
             r"times longer than wide", r"cells are so small")
 
