@@ -57,7 +57,7 @@ struct ValueWords {
     /// The beginning of the classes' names, before their number.
     std::string name;
     int digits;
-    /// Behind the values.
+    /// Follows the values.
     std::string unit;
 };
 

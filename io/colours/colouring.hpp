@@ -60,7 +60,7 @@ TileColourer colours_by_sides;
 /// of the triangles at each site. Up to kValueClasses classes of one ratio, the least of 2^(1/16),
 /// 2^(1/8), 2^(1/4), ... that suffices.
 TileColourer colours_by_size;
-/// Neighbouring cells or sites differ; the colours mean nothing else.
+/// Neighbouring cells or sites differ; the colours have no other meaning.
 TileColourer colours_by_cells;
 /// By the density at each site, in classes as by size.
 TileColourer colours_by_density;

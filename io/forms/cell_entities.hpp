@@ -49,7 +49,7 @@ struct CellEntities {
     std::vector<int> points;
     /// The seam and the walls first, counter-clockwise; then the boundaries between cells.
     std::vector<CellCurve> curves;
-    /// By rising site; cells without a triangle have none.
+    /// The surfaces of cells by rising site; cells without a triangle have none.
     std::vector<CellSurface> surfaces;
 };
 

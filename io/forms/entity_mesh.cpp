@@ -198,7 +198,7 @@ class TileDivision {
     const SolverNodes nodes_;
     const CellEntities entities_;
     EntityMesh form_;
-    /// Without phases: empty.
+    /// The phases of the cells; empty without phases.
     CellMaterials phases_;
     /// The tag of the point at each vertex; 0: none.
     std::vector<int> point_tag_;

@@ -61,7 +61,7 @@ struct EntityMesh {
     ElementMesh mesh;
     /// Elements of lower dimensions, which lie on curves and surfaces.
     std::array<ElementList, 3> sides = {};
-    /// By their dimension.
+    /// The entities of each dimension.
     std::array<EntityList, 4> entities = {};
     /// The dimensions whose elements files list, in this order. The elements that fill the tile
     /// have the first numbers.

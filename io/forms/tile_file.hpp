@@ -39,7 +39,8 @@ struct TileFile {
     std::vector<int> site_orbits = {};
     /// The height of the prisms in a file of prisms, length units; else 0.
     double thickness = 0;
-    /// To which the positions of the tile are relative, length units; not 0 for distant tiles only.
+    /// The origin to which the positions of the tile are relative, length units; not 0 only for
+    /// distant tiles.
     plane::Vec2 translation = plane::Vec2::Zero();
     /// As the user stated it, least_tolerance of prove_tile().
     double tolerance = 0;

@@ -20,7 +20,7 @@ struct NamedConstants {
     friend bool operator==(const NamedConstants&, const NamedConstants&) = default;
 };
 
-/// The elastic constants that a user wants for the materials of a run.
+/// The elastic constants that a user gives for the materials of a run.
 struct ElasticChoices {
     /// All materials have the same constants, the default of a format.
     bool are_same = false;

@@ -9,7 +9,7 @@
 
 namespace pcvt {
 
-/// The materials that a user wants.
+/// The materials that a user chooses.
 struct MaterialChoices {
     /// As checked_phases() returns them; empty: no phases.
     std::vector<PhaseFraction> phases = {};

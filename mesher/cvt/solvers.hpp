@@ -11,7 +11,7 @@ namespace pcvt {
 
 /// `kLbfgs` lets Newton's method finish where a minimum is near and the objective has a Hessian,
 /// `kNewton` uses that method from the start (lbfgs_newton.hpp). `kPlainLbfgs` and `kLloyd` are the
-/// paper's solvers and nothing else.
+/// paper's solvers.
 enum class Solver { kLbfgs, kLloyd, kNewton, kPlainLbfgs };
 
 /// Minimises from the point that the objective holds.

@@ -95,8 +95,8 @@ class UnsuitableCells : public InvalidInput {
 /// @param origin  corner of the domain that contains the points.
 /// @throws UnsuitableCells if a Delaunay triangle is not acute: its circumcentre would lie outside
 ///         it, and a kite would be negative. The message names the worst triangle.
-/// @throws InvalidInput if the lattice is not rectangular, or if neighbours lie half a period
-///         apart, so that the nearest image is ambiguous.
+/// @throws InvalidInput if the lattice is not rectangular, or if the distance of neighbours is half
+///         a period, so that the nearest image is ambiguous.
 MpasGrid mpas_grid(const plane::PeriodicMesh& cells, const plane::Vec2& origin);
 
 /// Sets the Coriolis parameter of cells, edges and vertices from their positions.

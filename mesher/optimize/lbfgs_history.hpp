@@ -86,7 +86,7 @@ class LbfgsHistory {
     /// Vector here_ is the gradient where the search begins, the other vector that at the last
     /// trial point.
     PackedVectors gradients_;
-    /// The preconditioned gradients likewise, once evaluations carry them.
+    /// The preconditioned gradients at the same points, once evaluations return them.
     std::optional<PackedVectors> preconditioned_;
     int here_ = 0;
     /// Slots of the pairs, the oldest first, and the slot of the current direction.

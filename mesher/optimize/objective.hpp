@@ -41,7 +41,7 @@ class Objective {
     virtual ~Objective() = default;
 
     virtual Eigen::Index n_variables() const = 0;
-    /// Evaluates at point + t * direction; t = 0 is the point itself, whatever the direction. The
+    /// Evaluates at point + t * direction; t = 0 is the point itself, for any direction. The
     /// direction must not change until this trial is accepted or rejected, or until the next
     /// evaluation.
     /// @returns false where the function is not defined (two sites coincide).

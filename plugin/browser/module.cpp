@@ -92,7 +92,7 @@ EM_JS(int, report_progress,
                                     fraction, text, sites, n_sites);
       });
 
-/// @param data  a bool: whether JavaScript wants the sites.
+/// @param data  a bool: whether JavaScript needs the sites.
 int on_progress(const pcvt_progress* p, void* data) {
     pcvt_sites sites{};
     if (*static_cast<const bool*>(data) && p->phase == PCVT_PHASE_OPTIMISE) {

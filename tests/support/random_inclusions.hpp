@@ -76,7 +76,7 @@ inline plane::Shape random_shape(const plane::Vec2& centre, double radius,
     return plane::Ellipse{centre, radius * aspect, radius / aspect, 360 * unit(random)};
 }
 
-/// Shapes of random kinds and sizes that keep the gap; fewer than wanted where no more fit.
+/// Shapes of random kinds and sizes that keep the gap; fewer than n_shapes where no more fit.
 inline std::vector<plane::Inclusion> random_inclusions(const plane::Lattice& lattice,
                                                        const RandomInclusions& wanted,
                                                        std::mt19937_64& random) {

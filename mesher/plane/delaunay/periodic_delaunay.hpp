@@ -49,7 +49,7 @@ class PeriodicDelaunay {
     TorusTriangulation triangulation_;
     Gram gram_;
     Eigen::VectorXd weights_;
-    /// From length^2 to units of the Gram matrix, a power of two.
+    /// The factor from length^2 to units of the Gram matrix, a power of two.
     double gram_weight_ = 1;
 };
 

@@ -25,7 +25,7 @@ struct InterfaceNode {
     int shared_side = 0;
 };
 
-/// A number of seeds, two a chord, that the curve of a shape has at least, whatever the spacing.
+/// A number of seeds, two a chord, that the curve of a shape has at least, for any spacing.
 double fewest_seeds(const Shape& shape);
 
 /// Divides the curve of inclusion k into chords, shorter than the spacing where the curve is bent,

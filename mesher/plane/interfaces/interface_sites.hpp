@@ -64,7 +64,7 @@ struct InterfaceSites {
 ///   (3) The polygon of an inclusion has the area of its shape.
 ///
 /// Where seeds would violate law (1), chords become shorter until they do not.
-/// @param spacing  the wanted length of a chord at a point, length units, anywhere in the plane.
+/// @param spacing  the target length of a chord at a point, length units, anywhere in the plane.
 /// @throws InvalidInput naming the line where this never ends, at a corner of some degrees.
 InterfaceSites place_interface_sites(const InclusionSet& set,
                                      const std::function<double(const Vec2&)>& spacing);

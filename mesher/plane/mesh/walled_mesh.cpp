@@ -59,7 +59,7 @@ class WallCut {
     struct Corner {
         int vertex;
         Offset offset;
-        /// On which side of the wall: -1, 0 on it, 1.
+        /// The side of the wall on which the corner lies: -1 or 1, 0 on the wall.
         int side;
     };
 

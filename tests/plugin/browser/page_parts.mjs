@@ -60,7 +60,7 @@ function watchedRuns() {
         failed: (error) => seen.push(`failed ${error.message}`),
     });
     const settle = () => new Promise((resolve) => { setTimeout(resolve); });
-    /** Lets a run report sites, and cancels it if it is not wanted. */
+    /** Lets a run report sites, and cancels it if progress() returns false. */
     const report = async (k, sites) => {
         const wanted = calls[k].options.progress({ sites: Float64Array.from(sites) });
         if (wanted === false) calls[k].fail(new Error('cancelled'));
@@ -89,7 +89,7 @@ async function checkStopAndGoOn() {
     assert.deepStrictEqual(seen, ['progress', 'stopped result 1', 'free result 1', 'ended result 2']);
 }
 
-/** A run that is replaced shows nothing any more, in whatever state it is. */
+/** A run that is replaced no longer shows anything, in any state. */
 async function checkReplacement() {
     for (const replace of ['running', 'stopping', 'evaluated']) {
         const { seen, calls, runs, settle, report } = watchedRuns();
