@@ -11,9 +11,9 @@ import sys
 WIDTH = 640
 BAR_HEIGHT = 70
 TICKS = 5
-# Of quantities that are not 0 in any other unit either.
+# The smallest quantity that is not 0 in any other unit either.
 SMALLEST = 1e-300
-# Of a count or number of points.
+# The most digits of a count or of a number of points.
 MOST_DIGITS = 12
 
 

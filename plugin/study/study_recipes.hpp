@@ -22,7 +22,8 @@ plane::Lattice unit_square();
 /// 5 / (18 sqrt(3) n), the paper's F_hex.
 double f_hex(int n);
 
-/// Relative difference of energies of the same minimum. Of its runs the first one is reported.
+/// Relative difference of energies of the same minimum. The first run that reaches a minimum is
+/// reported.
 inline constexpr double kSameEnergy = 1e-9;
 
 /// The paper's solver: only L-BFGS, so that the statistics of minima are comparable.

@@ -36,7 +36,7 @@ struct DensityCvtOptions {
     /// density.
     Minimize minimize = solver_row(Solver::kLbfgs).minimize_density;
     OptimizerOptions optimizer;
-    /// nullptr: none. Of tie_orbits(), for a density with the symmetry of the orbits.
+    /// The result of tie_orbits() for a density with the symmetry of the orbits; nullptr: none.
     const OrbitEmbedding* orbits = nullptr;
     SiteConstraints<MovingDelaunay> constraints = {};
 };

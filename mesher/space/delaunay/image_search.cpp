@@ -66,7 +66,7 @@ int ImageSearch::add_node(int first, int last) {
     return n;
 }
 
-/// The offset nearest to a displacement. Of a Minkowski-reduced basis, an offset is the nearest one
+/// The offset nearest to a displacement. In a Minkowski-reduced basis, an offset is the nearest one
 /// if none of its 26 neighbours is nearer (P. Nguyen, D. Stehle 2009).
 Offset ImageSearch::nearest_offset(const Vec3& displacement) const {
     const Vec3 whole = displacement.array().round();

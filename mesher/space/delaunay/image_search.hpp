@@ -30,8 +30,8 @@ class ImageSearch {
     double spacing() const { return spacing_; }
 
     /// The image nearest to a point among the admitted ones within `radius` of it (unit of the Gram
-    /// matrix); of equally near ones always the same. Its site is -1 if there is none. Of each site
-    /// the images within two periods of its nearest one are considered.
+    /// matrix); of equally near ones always the same. Its site is -1 if there is none. The search
+    /// considers the images of each site within two periods of its nearest one.
     /// @param point  coordinates of the reduced basis.
     Corner nearest(const Vec3& point, double radius, const Admits& admits) const;
 

@@ -101,7 +101,7 @@ int in_sphere(const Gram& gram, const Image& p, const Image& q, const Image& r, 
 
 /// The same with ties broken by one rule for all images: a sphere is thought to lie a little off
 /// its points, the more the greater a point is in the lexicographic order of coordinates (O.
-/// Devillers and M. Teillaud 2011). Of any number of cospherical images exactly one triangulation
+/// Devillers and M. Teillaud 2011). For any number of cospherical images exactly one triangulation
 /// by tetrahedra of positive volume satisfies the rule, and translations of it by the lattice do
 /// too.
 bool violates_delaunay(const Gram& gram, const Image& p, const Image& q, const Image& r,
