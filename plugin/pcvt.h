@@ -105,10 +105,10 @@ enum { PCVT_NODES_DEFAULT = 0, PCVT_NODES_CELLS = 1, PCVT_NODES_ONE = 2 };
 /** The elements of .inp files: plane strain, plane stress. */
 enum { PCVT_CPE = 0, PCVT_CPS = 1 };
 
-/** What .inp files hold besides the mesh: nothing, or materials and steps that CalculiX runs. */
+/** Contents of .inp files besides the mesh: nothing, or materials and steps that CalculiX runs. */
 enum { PCVT_JOB_NONE = 0, PCVT_JOB_ELASTIC = 1 };
 
-/** What .obj, .ply and .glb show in three dimensions: every cell, or the boundary of the tile. */
+/** Contents of .obj, .ply and .glb in three dimensions: every cell, or the boundary of the tile. */
 enum { PCVT_SURFACE_CELLS = 0, PCVT_SURFACE_BOUNDARY = 1 };
 
 /** The quantity that the colours of a file show, CELLS: neighbours differ. */
@@ -142,7 +142,7 @@ enum {
     PCVT_WALL_HOLE = 4
 };
 
-/** What becomes of given sites that are nearer to an earlier one than 1e-9 h. */
+/** The treatment of given sites that are nearer to an earlier one than 1e-9 h. */
 enum { PCVT_DUPLICATES_REFUSE = 0, PCVT_DUPLICATES_DROP = 1 };
 
 /** Why a run ended. */
@@ -185,7 +185,7 @@ typedef int (*pcvt_progress_callback)(const pcvt_progress* progress, void* data)
 
 /** A density at many points, called only on the thread that called pcvt_generate().
  *
- *  It must be periodic, finite and positive, and a function only of the point.
+ *  It must be periodic, finite and positive, and depend only on the point.
  *  @param points  n_points pairs x, y; anywhere in the plane.
  *  @param values  n_points numbers, to be filled.
  *  @returns       0; any other number ends the run with PCVT_ERROR_DOMAIN.
@@ -447,7 +447,7 @@ typedef struct pcvt_statistics {
     int32_t n_threads;
     int32_t n_mirrors;      /**< -1 if the triangulation was built without mirrors, and in three
                                dimensions */
-    double area_error;      /**< largest |area - wished| / wished; NaN without areas */
+    double area_error;      /**< largest |area - target| / target; NaN without areas */
     int32_t newton_steps;   /**< that found the weights; 0 without areas */
     int32_t n_dropped;      /**< sites that PCVT_DUPLICATES_DROP left out */
     const int32_t* dropped; /**< n_dropped pairs: the number of such a site in the options, and that
@@ -503,7 +503,7 @@ PCVT_API const char* pcvt_status_text(pcvt_status status);
  *  after PCVT_OK. The text is valid until the next such call of this thread. */
 PCVT_API const char* pcvt_last_error(void);
 
-/** Fills in the defaults; fields that this library does not know become zero.
+/** Fills in the defaults; fields that this library does not have become zero.
  *  @param struct_size  sizeof(pcvt_options) of the host.
  *  @param abi_version  PCVT_ABI_VERSION of the host.
  *  @returns PCVT_ERROR_ABI if the two do not fit this library; *options does not change then.

@@ -11,9 +11,9 @@ import sys
 WIDTH = 640
 BAR_HEIGHT = 70
 TICKS = 5
-# Of quantities that are not 0 in any other unit either.
+# The smallest quantity that is not 0 in any other unit either.
 SMALLEST = 1e-300
-# Of a count or number of points.
+# The most digits of a count or of a number of points.
 MOST_DIGITS = 12
 
 
@@ -34,7 +34,7 @@ def text_of(path, remedy):
 
 
 def is_count(word):
-    """Tells whether int() takes the word and it has no sign; str.isdigit alone accepts '²' and any length."""
+    """Returns whether int() takes the word and it has no sign; str.isdigit also accepts '²' and any length."""
     return word.isascii() and word.isdigit() and len(word) <= MOST_DIGITS
 
 

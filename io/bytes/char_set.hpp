@@ -25,7 +25,8 @@ class CharSet {
         while (k < text.size() && !holds(text[k])) ++k;
         return k;
     }
-    /// Returns the index of the first character of `text` outside of the set, likewise.
+    /// Returns the index of the first character of `text` outside of the set; text.size() if there
+    /// is none.
     constexpr std::size_t skip_in(std::string_view text) const {
         std::size_t k = 0;
         while (k < text.size() && holds(text[k])) ++k;

@@ -19,8 +19,8 @@ inline std::vector<EncodedFile> only_file(std::string path, std::string bytes) {
     return files;
 }
 
-/// Requires that files are, byte for byte, those that pcvt writes for what was read from them.
-/// Companions may be missing.
+/// Requires that files are, byte for byte, those that pcvt writes for the content that was read
+/// from them. Companions may be missing.
 /// @throws BadFile  naming the first line that differs.
 void require_same_bytes(const std::vector<EncodedFile>& files,
                         const std::vector<EncodedFile>& wanted);

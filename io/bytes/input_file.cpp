@@ -64,8 +64,8 @@ class BlockReader {
 };
 
 /// The one place that opens a file for reading. A file that is not regular is not even opened,
-/// because that alone can have an effect on a device; without O_NONBLOCK the call would wait for
-/// the other end of a pipe that takes the place of the file between the two calls.
+/// because opening it can already have an effect on a device; without O_NONBLOCK the call would
+/// wait for the other end of a pipe that takes the place of the file between the two calls.
 int open_regular_file(const std::string& path, std::uint64_t& size) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) throw_unreadable(path, errno);

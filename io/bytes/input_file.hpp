@@ -13,9 +13,9 @@ struct InputLimit {
     std::uint64_t bytes;
     /// The same number for messages.
     const char* words;
-    /// Behind the message.
+    /// The end of the message.
     const char* remedy;
-    /// The reader refuses a text at its first NUL byte, so that nothing behind that is read.
+    /// The reader refuses a text at its first NUL byte, and reads nothing after it.
     bool ends_at_nul;
 };
 constexpr std::uint64_t kMebibyte = std::uint64_t(1) << 20;
@@ -36,7 +36,7 @@ constexpr InputLimit kStandardInput{1024 * kMebibyte, "1 GiB", "give a file", tr
 /// @throws LimitExceeded  the file is larger than the limit.
 std::string read_whole_file(const std::string& path, const InputLimit& limit = kTileInput);
 
-/// Returns all bytes of standard input, up to kStandardInput; whatever it is connected to.
+/// Returns all bytes of standard input, up to kStandardInput, from a terminal, a file or a pipe.
 /// @throws BadFile, LimitExceeded as read_whole_file() does.
 std::string read_standard_input();
 

@@ -54,10 +54,10 @@ std::map<SiteId, double> site_areas(const plane::Tile& tile) {
 
 /// The words of a legend of values.
 struct ValueWords {
-    /// Of the classes' names, before their number.
+    /// The beginning of the classes' names, before their number.
     std::string name;
     int digits;
-    /// Behind the values.
+    /// Follows the values.
     std::string unit;
 };
 

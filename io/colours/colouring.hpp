@@ -16,7 +16,7 @@ namespace pcvt {
 /// The quantity that the colours of a tile show.
 enum class Colouring { kSides, kSize, kCells, kDensity, kPhase, kOrbit, kTag };
 
-/// What a run must have besides its tile, so that colours can show it.
+/// The quantity that a run must have besides its tile, so that colours can show it.
 enum class ColouringNeed { kNothing, kDensity, kPhases, kOrbits, kTags };
 
 /// One colour of a tile.
@@ -60,7 +60,7 @@ TileColourer colours_by_sides;
 /// of the triangles at each site. Up to kValueClasses classes of one ratio, the least of 2^(1/16),
 /// 2^(1/8), 2^(1/4), ... that suffices.
 TileColourer colours_by_size;
-/// Neighbouring cells or sites differ; the colours mean nothing else.
+/// Neighbouring cells or sites differ; the colours have no other meaning.
 TileColourer colours_by_cells;
 /// By the density at each site, in classes as by size.
 TileColourer colours_by_density;

@@ -17,13 +17,13 @@ constexpr Colour from_bytes(std::uint32_t red, std::uint32_t green, std::uint32_
     return {red / 255.0, green / 255.0, blue / 255.0};
 }
 
-/// From three sides to nine, each way from pale to dark.
+/// The colours of cells with three to nine sides, from pale at six to dark at both ends.
 constexpr std::array<Colour, 7> kBySides{from_bytes(0x14, 0x21, 0x5c), from_bytes(0x25, 0x5f, 0xb0),
                                          from_bytes(0x62, 0xb0, 0xdf), from_bytes(0xf3, 0xef, 0xe4),
                                          from_bytes(0xf2, 0xa2, 0x3c), from_bytes(0xcb, 0x4b, 0x1e),
                                          from_bytes(0x70, 0x15, 0x18)};
 
-/// From small to large, each lighter than the one before.
+/// The colours of values from small to large, each lighter than the one before.
 constexpr std::array<Colour, kValueClasses> kByValue{
     from_bytes(0x3a, 0x57, 0xa6), from_bytes(0x40, 0x86, 0xb7), from_bytes(0x5f, 0xb3, 0xb0),
     from_bytes(0x98, 0xcb, 0x90), from_bytes(0xd7, 0xe8, 0x94), from_bytes(0xff, 0xf9, 0xd6)};

@@ -41,8 +41,8 @@ inline constexpr int kSeamColours = 6;
 /// colours of cells.
 Colour seam_colour(std::size_t k);
 
-/// Of hexagons that the border of a panel cuts, and of cells that are clipped there; they appear
-/// beside the colours of the sides.
+/// The colours of hexagons that the border of a panel cuts, and of cells that are clipped there;
+/// they appear beside the colours of the sides.
 inline constexpr const char* kCutHexagon = "#d9c9a0";
 inline constexpr const char* kBorderCell = "#a9c3b4";
 
@@ -52,7 +52,7 @@ double luminance(Colour srgb);
 /// The colour of "#rrggbb"; `nullopt` for another text.
 std::optional<Colour> colour_of_hex(std::string_view text);
 
-/// The same colour as linear light, which glTF asks for.
+/// The same colour as linear light, which glTF requires.
 Colour linear(Colour srgb);
 
 /// "#rrggbb"

@@ -64,7 +64,7 @@ struct FormatRequest {
     plane::MeshKind kind;
     plane::Outline outline;
     double short_edges;
-    /// Of one period.
+    /// The number of sites of one period.
     double n_sites = 1;
     /// The numbers of periods in `lattice`.
     double n_periods = 1;
@@ -153,7 +153,7 @@ struct Format {
     /// The file of a tile states the orbit of the site of each element; the reader reads them.
     bool states_orbits = false;
     FormatMemory memory;
-    /// What it holds of a tile in space; `nullopt`: nothing.
+    /// The part of a tile in space that the format holds; `nullopt`: nothing.
     std::optional<SpaceFormat> space = {};
 
     bool holds_single_precision(const FileOptions& options) const {
@@ -199,7 +199,8 @@ std::string short_edges_extensions();
 /// Returns those whose form FileOptions::surfaces chooses, ".obj, .ply or .glb".
 std::string surface_extensions();
 
-/// Returns what these files, as `pcvt check` reads them, hold; nothing if it is no tile in space.
+/// Returns the kind of these files, as `pcvt check` reads them; nothing if they do not hold a tile
+/// in space.
 std::optional<SpaceFileKind> space_file_kind(const std::vector<EncodedFile>& files);
 
 }  // namespace pcvt

@@ -7,7 +7,7 @@
 
 namespace pcvt::plane_rows {
 
-// What rows of the table of formats name for the plane.
+// Functions that rows of the table of formats name for the plane.
 
 void require_prisms(const FormatRequest& request);
 void require_job_without_walls(const FormatRequest& request);

@@ -15,7 +15,7 @@ namespace pcvt {
 struct SpaceFileProof {
     SpaceTile tile;
     space::PolyhedralProof proof;
-    /// Of files that state sites.
+    /// The figures of the sites, if the files state them.
     std::optional<space::CellSiteFigures> sites;
 };
 

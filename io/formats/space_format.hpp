@@ -13,18 +13,18 @@
 
 namespace pcvt {
 
-/// What a file of a tile in space holds: its cells, its Delaunay tetrahedra, its boundary, or the
-/// triangles of either of the first and the last in single precision.
+/// The content of a file of a tile in space: its cells, its Delaunay tetrahedra, its boundary, or
+/// the triangles of either of the first and the last in single precision.
 enum class SpaceFileKind { kPolyhedra, kTetrahedra, kBoundary, kTriangles };
 
 /// Whether a format holds surfaces: none, those of the cells or the boundary as
 /// FileOptions::surfaces chooses, or always the boundary.
 enum class FormatSurfaces { kNone, kChosen, kBoundary };
 
-/// The list of `path` alone.
+/// The list of only `path`.
 std::vector<std::string> single_path(const std::string& path);
 
-/// What a format holds of a tile in space: volumes, their surfaces, or their sites.
+/// The part of a tile in space that a format holds: volumes, their surfaces, or their sites.
 struct SpaceFormat {
     FormatSurfaces surfaces = FormatSurfaces::kNone;
     /// The memory of a run that writes one such file, bytes a site. Measured at 2e4 to 5e5 random
@@ -33,16 +33,16 @@ struct SpaceFormat {
     double memory;
     /// The files of the output with this path, which encode() returns in this order.
     std::vector<std::string> (*paths)(const std::string& path) = single_path;
-    /// Encodes a tile of polyhedra, and of tetrahedra; both null: the file holds the sites alone.
+    /// Encodes a tile of polyhedra, and of tetrahedra; both null: the file holds only the sites.
     std::vector<EncodedFile> (*encode)(const SpaceTile& tile, SurfaceForm surfaces,
                                        const std::string& path) = nullptr;
     std::vector<EncodedFile> (*encode_tetrahedra)(const space::TetrahedralMesh& mesh,
                                                   const std::string& path) = nullptr;
-    /// Returns what files of this extension hold, as `pcvt check` reads them; nothing if they hold
-    /// no tile in space. Null for pictures and sites.
+    /// Returns the kind of files of this extension, as `pcvt check` reads them; nothing if they do
+    /// not hold a tile in space. Null for pictures and sites.
     std::optional<SpaceFileKind> (*kind)(const std::vector<EncodedFile>& files) = nullptr;
-    /// Reads tetrahedra, and compares all that the file states beside them with what follows from
-    /// them. Set if and only if encode_tetrahedra is set.
+    /// Reads tetrahedra, and compares all other statements of the file with the values that follow
+    /// from them. Set if and only if encode_tetrahedra is set.
     space::TetrahedralMesh (*decode_tetrahedra)(const EncodedFile& file) = nullptr;
     void (*compare_tetrahedra)(const EncodedFile& file,
                                const space::TetrahedralMesh& mesh) = nullptr;

@@ -25,7 +25,7 @@
 
 namespace pcvt::space_rows {
 
-// What rows of the table of formats name for space.
+// Functions that rows of the table of formats name for space.
 
 /// Encodes volumes, which have one form.
 template <auto kEncode>

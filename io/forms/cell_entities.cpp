@@ -21,7 +21,7 @@ struct CellEdge {
     int middle;
 };
 
-/// One side of an edge, under the name that both of its faces know.
+/// One side of an edge, under the same name from both of its faces.
 struct NamedSide {
     int low;
     int high;

@@ -11,7 +11,7 @@ namespace pcvt {
 struct CellCurve {
     /// Both ends included, so two or more; a closed curve ends where it begins.
     std::vector<int> vertices;
-    /// Of order 2 the nodes between them: middles[k] after vertices[k].
+    /// For order 2 the nodes between them: middles[k] after vertices[k].
     std::vector<int> middles = {};
     /// Indices of the surfaces on both sides; `right` < 0 where the curve bounds the tile.
     int left;
@@ -49,7 +49,7 @@ struct CellEntities {
     std::vector<int> points;
     /// The seam and the walls first, counter-clockwise; then the boundaries between cells.
     std::vector<CellCurve> curves;
-    /// By rising site; cells without a triangle have none.
+    /// The surfaces of cells by rising site; cells without a triangle have none.
     std::vector<CellSurface> surfaces;
 };
 

@@ -198,9 +198,9 @@ class TileDivision {
     const SolverNodes nodes_;
     const CellEntities entities_;
     EntityMesh form_;
-    /// Without phases: empty.
+    /// The phases of the cells; empty without phases.
     CellMaterials phases_;
-    /// Of each vertex; 0 where there is no point.
+    /// The tag of the point at each vertex; 0: none.
     std::vector<int> point_tag_;
     std::map<plane::Offset, int> seam_groups_;
     std::map<plane::WallId, int> wall_groups_;
@@ -320,7 +320,7 @@ class TetrahedraDivision {
     const space::TetrahedralMesh& mesh_;
     const SeamEntities entities_;
     EntityMesh form_;
-    /// Of each point of the mesh; 0 where there is no point of the boundary.
+    /// The tag of each point of the mesh that is an entity of the boundary; 0: none.
     std::vector<int> point_tag_;
     /// The tags of the curves of each surface.
     std::vector<std::vector<int>> curves_of_;

@@ -61,7 +61,7 @@ struct EntityMesh {
     ElementMesh mesh;
     /// Elements of lower dimensions, which lie on curves and surfaces.
     std::array<ElementList, 3> sides = {};
-    /// By their dimension.
+    /// The entities of each dimension.
     std::array<EntityList, 4> entities = {};
     /// The dimensions whose elements files list, in this order. The elements that fill the tile
     /// have the first numbers.
@@ -72,7 +72,7 @@ struct EntityMesh {
     /// For each element the orbit of the site of its cell under the symmetry of the run; may be
     /// empty.
     std::vector<int> element_orbit = {};
-    /// What the file is, as a line of text, and its kind.
+    /// A line of text that describes the file, and its kind.
     std::string title = {};
     std::string kind = {};
     /// Lines of text on its sites, each behind "pcvt ".
@@ -103,7 +103,7 @@ EntityMesh entity_mesh(const plane::Tile& tile, const CellMaterials* materials =
 /// takes to its partner, and `domain`, all tetrahedra. Links: each surface with a negative offset,
 /// and each curve and point that is not a master. Each link goes from a master to an image with a
 /// larger offset, and tied_frames() laid the tile out, so that a program finds every orbit which
-/// keeps one link a node, whichever, or links the surfaces alone.
+/// keeps one link a node, whichever, or links only the surfaces.
 ///
 /// @throws NotATile as prove_tetrahedra().
 EntityMesh entity_mesh(const space::TetrahedralMesh& mesh);

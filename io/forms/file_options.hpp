@@ -49,7 +49,7 @@ inline constexpr std::array kSolverJobs{SolverJobRow{SolverJob::kElastic, "elast
 
 inline constexpr int kDefaultPixels = 1024;
 
-/// What a file of surfaces shows: every cell of a tile, or the boundary of the tile.
+/// The surfaces that a file shows: every cell of a tile, or the boundary of the tile.
 enum class SurfaceForm { kCells, kBoundary };
 
 struct SurfaceFormRow {
@@ -63,16 +63,16 @@ inline constexpr std::array kSurfaceForms{SurfaceFormRow{SurfaceForm::kCells, "c
 /// The values that a writer may need besides the tile. The rows of the table of formats name the
 /// members that a format takes.
 struct FileOptions {
-    /// Of graded meshes: the densities at sites 0 to n - 1 of one period; else empty.
+    /// The densities at sites 0 to n - 1 of one period of a graded mesh; else empty.
     std::span<const double> site_densities = {};
     /// Phases and orientations of the cells, which must outlive the options; null: none.
     const CellMaterials* materials = nullptr;
-    /// Of runs with a symmetry: the orbit of sites 0 to n - 1 of one period; else empty.
+    /// The orbit of sites 0 to n - 1 of one period in a run with a symmetry; else empty.
     std::span<const int> site_orbits = {};
     SiteQuantities quantities() const { return {site_densities, materials, site_orbits}; }
     /// The quantity that colours show; `nullopt`: each format has its own default.
     std::optional<Colouring> colouring = {};
-    /// Of pictures; `nullopt`: the page behind the picture shows through.
+    /// The background of pictures; `nullopt`: the page behind the picture shows through.
     std::optional<Colour> background = {};
     GltfNodes gltf_nodes = GltfNodes::kBySize;
     /// PLY: 32-bit coordinates and triangles, as viewers need them.
@@ -92,9 +92,9 @@ struct FileOptions {
     SolverJob job = SolverJob::kNone;
     /// Inputs of solvers that hold elastic constants.
     ElasticChoices elastic = {};
-    /// Of one layer of prisms, length units; 0: the mean distance of the cells.
+    /// The height of one layer of prisms, length units; 0: the mean distance of the cells.
     double thickness = 0;
-    /// In space: what files of surfaces hold.
+    /// In space, the surfaces that files show.
     SurfaceForm surfaces = SurfaceForm::kCells;
 };
 

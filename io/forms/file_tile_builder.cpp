@@ -62,7 +62,7 @@ plane::MeshKind guess_kind(const FileTileBuilder& file) {
     return plane::MeshKind::kDelaunay;
 }
 
-/// @throws BadFile  a word is no number.
+/// @throws BadFile  a word is not a number.
 std::vector<double> numbers_of(const LineScanner& scanner,
                                std::span<const std::string_view> words) {
     std::vector<double> numbers;

@@ -81,7 +81,7 @@ std::int64_t n_stated_sites(const plane::Tile& tile);
 ///         triangle tile; a pair names a vertex that does not exist or a huge offset; the number of
 ///         sites is not that of their owners; a file has positions of sites without sites, or not
 ///         one weight for each; orbits are not counted in the order of their sites; a number is
-///         given twice, or used but not given; a translation is no lattice vector within 4 ulps.
+///         given twice, or used but not given; a translation is not a lattice vector within 4 ulps.
 TileFile finish(FileTileBuilder builder, const std::optional<plane::Lattice>& lattice,
                 plane::Precision precision);
 

@@ -4,7 +4,8 @@
 
 namespace pcvt {
 
-/// To be called before any writer: no format of ours has a word for NaN or infinity.
+/// Requires finite coordinates. Call it before any writer: no format here has a word for NaN or
+/// infinity.
 /// @throws InternalError naming the first vertex whose coordinates are not finite.
 void require_finite(const plane::Tile& tile);
 

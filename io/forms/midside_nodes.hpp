@@ -27,8 +27,8 @@ std::vector<MidsideNode> file_midside_nodes(const FileTileBuilder& file);
 /// Makes a tile of six-node triangles one of three-node triangles: the middle nodes go, with their
 /// pairs and sites, once they are proved to lie in the middle of their edges, and, where pairs are
 /// stored, to be paired over the seam, each within 4 ulps of the largest coordinate.
-/// @param lattice  stands in for one that the file lacks.
-/// @throws BadFile  with the line, also what file_midside_nodes() refuses.
+/// @param lattice  replaces one that the file lacks.
+/// @throws BadFile  with the line, also where file_midside_nodes() does.
 void remove_midside_nodes(FileTileBuilder& file, const std::optional<plane::Lattice>& lattice,
                           plane::Precision precision);
 

@@ -11,7 +11,7 @@ namespace pcvt {
 struct FileTileBuilder;
 
 /// Items of a solver's file under the numbers that the file gives them, in any order and with gaps.
-/// Each item knows its line.
+/// Each item holds its line.
 struct NumberedItems {
     struct Node {
         int number;
@@ -49,7 +49,7 @@ struct NumberedItems {
     std::vector<Triangle> triangles = {};
     std::vector<Link> links = {};
     std::vector<Edge> edges = {};
-    /// Of the nodes of a Delaunay tile, or of the triangles where their cells own them.
+    /// The sites of the nodes of a Delaunay tile, or of the triangles where their cells own them.
     std::vector<SiteOf> node_sites = {};
     std::vector<SiteOf> triangle_sites = {};
 };

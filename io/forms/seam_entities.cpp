@@ -25,7 +25,7 @@ struct EdgeImage {
 /// there: edges with equal signatures are on the same curves.
 using Signature = std::vector<std::pair<space::Offset, std::vector<int>>>;
 
-/// What meets at a point of the boundary.
+/// The surfaces and curves that meet at a point of the boundary.
 struct PointUse {
     std::set<int> surfaces = {};
     /// The curve of each edge.
@@ -123,7 +123,7 @@ class SeamDivision {
         }
     }
 
-    /// The kind of a point by what meets there.
+    /// The kind of a point by the surfaces and curves that meet there.
     PointKind own_kind(const PointUse& use) const {
         if (use.curves.empty()) {
             return use.surfaces.size() == 1 ? PointKind::kInSurface : PointKind::kPoint;
@@ -180,7 +180,7 @@ class SeamDivision {
 
     const space::TetrahedralMesh& mesh_;
     SeamEntities entities_;
-    /// Of the points of the boundary.
+    /// The uses of each point of the boundary.
     std::map<int, PointUse> uses_of_;
 };
 

@@ -14,7 +14,7 @@ struct SeamSegment {
     plane::Offset offset;
     /// Along the boundary, the tile on the left; both ends included, so two or more.
     std::vector<int> vertices;
-    /// Of order 2 the nodes between them: middles[k] after vertices[k].
+    /// For order 2 the nodes between them: middles[k] after vertices[k].
     std::vector<int> middles;
     /// Index of the run that it is glued to, which runs the other way: vertex k of this one and
     /// vertex size - 1 - k of that one are partners, likewise the middles.

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMeaningColumn = 27;
 
 constexpr CharSet kNameLetters("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-");
-/// Above all indices of vertices.
+/// A bound above all indices of vertices.
 constexpr double kMostHoleVertices = 2147483647;
 
 std::vector<double> periods(const plane::Tile& tile) {

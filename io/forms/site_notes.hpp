@@ -11,8 +11,8 @@ namespace pcvt {
 
 struct NoteTable;
 
-/// The notes that a file holds on the sites of its tile, by which the file alone proves its site
-/// ids.
+/// The notes that a file holds on the sites of its tile, by which the file proves its site ids
+/// without other files.
 ///
 /// Example usage, of a writer and of a reader:
 ///   append_note_comments(text, "# pcvt ", tile, 1);
@@ -63,7 +63,7 @@ struct SiteNote {
     const char* meaning;
     /// The numbers of a tile; of each site those of site 0, then site 1, ...
     std::vector<double> (*numbers)(const plane::Tile& tile);
-    /// Of a valid number of numbers. @throws InvalidInput if one is out of range.
+    /// Stores the numbers, whose count is valid. @throws InvalidInput if one is out of range.
     void (*take)(std::span<const double> numbers, SiteNotes& notes);
     /// The numbers of most tiles, which a file does not state.
     std::vector<double> usual = {};
@@ -88,7 +88,7 @@ struct StatedNote {
     std::vector<double> numbers;
 };
 
-/// Returns the notes that a file of the tile states: none where the tile does not know the
+/// Returns the notes that a file of the tile states: none where the tile does not have the
 /// positions of its sites (mesher/plane/tile/site_positions.hpp).
 /// @param of_arrays  whether SiteNote::always_in_arrays counts.
 std::vector<StatedNote> stated_notes(const plane::Tile& tile, bool of_arrays = false);

@@ -39,7 +39,8 @@ class SurfaceListBuilder {
     bool take_comment(const LineScanner& scanner, std::string_view key,
                       std::span<const std::string_view> words);
 
-    /// Gives the surfaces, whose points and faces the reader has added, what the comments state.
+    /// Adds the statements of the comments to the surfaces, whose points and faces the reader has
+    /// added.
     /// @throws BadFile  naming the file: the lattice is missing, or a pair names a missing face.
     SurfaceList finish(const std::string& path) &&;
 

@@ -45,7 +45,7 @@ struct SurfaceMesh {
     std::vector<ColourClass> classes = {};
     std::vector<int> face_class = {};
     std::vector<int> vertex_class = {};
-    /// Of all faces, in their order, or none.
+    /// Groups of all faces, in their order, or none.
     std::vector<FaceGroup> groups = {};
     /// In the order of files, the lattice first.
     std::vector<NoteTable> notes = {};

@@ -30,16 +30,17 @@ struct TileFile {
     bool has_wall_edges = false;
     /// The file states its lattice, as pcvt writes it; then all of its fields follow from the tile.
     bool states_lattice = false;
-    /// Of the sites of one period; empty where the file states none.
+    /// The materials of the sites of one period; empty where the file states none.
     CellMaterials materials = {};
     /// The phases that the names of materials show, of a file that states none; may be empty.
     CellMaterials shown = {};
     /// The orbit of each site of one period under the symmetry of the run, -1 for a site that has
     /// no element; empty where the file states none.
     std::vector<int> site_orbits = {};
-    /// Of a file of prisms: their height, length units; else 0.
+    /// The height of the prisms in a file of prisms, length units; else 0.
     double thickness = 0;
-    /// To which the positions of the tile are relative, length units; not 0 for distant tiles only.
+    /// The origin to which the positions of the tile are relative, length units; not 0 only for
+    /// distant tiles.
     plane::Vec2 translation = plane::Vec2::Zero();
     /// As the user stated it, least_tolerance of prove_tile().
     double tolerance = 0;

@@ -28,7 +28,7 @@ class TriangleCells {
     bool same(int f, int g) const {
         return sites_[f] == sites_[g] && same_place(site_points_[f], site_points_[g]);
     }
-    /// Whether two positions of one site differ by rounding alone.
+    /// Whether two positions of one site differ only by rounding.
     bool same_place(const plane::Vec2& p, const plane::Vec2& q) const {
         return (p - q).cwiseAbs().maxCoeff() <= rounding_;
     }

@@ -7,11 +7,11 @@
 
 namespace pcvt {
 
-/// For formats of solvers that know no polygons.
+/// Requires triangles, for formats of solvers that do not support polygons.
 /// @throws InvalidInput `path: what; take the mesh delaunay or grains`, if `kind` has them.
 void require_triangles(plane::MeshKind kind, const std::string& path);
 
-/// The cell that each triangle belongs to, as solvers want to know it for their materials.
+/// The cell that each triangle belongs to, by which solvers assign materials.
 ///
 /// The site of the face where it has one. A Delaunay triangle, which lies in three cells, is given
 /// to that of the corner nearest to its centroid; a cell may then have no triangle.

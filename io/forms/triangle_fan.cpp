@@ -42,7 +42,7 @@ std::vector<FanTriangle> fan_from(std::span<const Point32> corners, int apex) {
 }
 
 /// Returns the least openness of the triangles around `apex`, or that of the first triangle which
-/// is no better than `bar`.
+/// does not exceed `bar`.
 double worst_openness(std::span<const Point32> corners, int apex, double bar) {
     const int n = static_cast<int>(corners.size());
     const auto at = [&](int k) { return corners[static_cast<std::size_t>((apex + k) % n)]; };

@@ -45,10 +45,10 @@ class GltfDocument {
     static const Json& periodic(const Json& node) {
         return member(member(node, "extras"), "periodic");
     }
-    /// Returns the numbers of a list of n numbers; none if `value` is no such list.
+    /// Returns the numbers of a list of n numbers; none if `value` has another form.
     static std::vector<double> number_list(const Json& value, std::size_t n);
     /// Returns the numbers of a list of lists of n numbers, one list after the other; none if
-    /// `rows` is no such list.
+    /// `rows` has another form.
     static std::vector<double> vector_list(const Json& rows, std::size_t n);
     /// Whether pcvt wrote the file, and no other program since.
     bool is_own() const { return member(member(root_, "asset"), "generator") == "pcvt"; }

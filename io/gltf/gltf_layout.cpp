@@ -215,7 +215,7 @@ class LayoutProof {
     const GltfDocument& document_;
     std::vector<View> views_;
     std::size_t end_ = 0;
-    /// Of each accessor: the number of its uses, and whether it states bounds.
+    /// The number of uses of each accessor, and whether it states bounds.
     std::vector<int> used_;
     std::vector<bool> has_bounds_;
     std::size_t next_mesh_ = 0;

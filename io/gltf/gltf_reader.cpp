@@ -44,7 +44,7 @@ struct Finding {
     std::vector<int> corners;
     /// One site per face; -1 where the file names none.
     std::vector<SiteId> face_site;
-    /// One site per point; -1 likewise.
+    /// One site per point; -1 where the file names none.
     std::vector<SiteId> vertex_site;
     /// The name of the material of each face; "" where the file names none.
     std::vector<std::string> materials;

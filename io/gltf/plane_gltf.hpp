@@ -13,7 +13,7 @@ namespace pcvt {
 ///   extras.periodic = {"lattice": [[ax, ay], [bx, by]], "vertexPairs": [[v, w, i, j], ...]}
 ///
 /// where position(w) = position(v) + i a + j b; v and w are indices into the POSITION accessor of
-/// the surface, which all of its triangles share. Where the tile knows the positions of its sites,
+/// the surface, which all of its triangles share. Where the tile has the positions of its sites,
 /// "sitePositions" is the accessor of x and y of site 0, 1, ..., those of the image at the first
 /// face (vertex) that names the site, and a tile of several periods has "periods": [columns, rows],
 /// one without edges shorter than Tile::short_edges has "shortEdges", one of elongated cells has

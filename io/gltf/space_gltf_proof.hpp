@@ -26,7 +26,7 @@ struct GlbProof {
 /// occurs as often as its reverse. Each cell has a positive volume, and all volumes sum to that of
 /// the domain within the rounding of single precision.
 ///
-/// Of a file that pcvt wrote with a node for each part, it proves the other fields too: JSON,
+/// For a file that pcvt wrote with a node for each part, it proves the other fields too: JSON,
 /// indices and normals are those that encode_glb_surfaces() gives for the faces of the file; the
 /// site of each cell, mirrored in any face of that cell, is an image of a site; each side of a seam
 /// meets the other one by its translation. All of this holds within the rounding of single

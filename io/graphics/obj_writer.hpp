@@ -29,7 +29,7 @@ std::vector<std::string> obj_paths(const std::string& path);
 
 /// Encodes a tile by encode_obj_mesh(), with z = 0, by default one material for each number of
 /// sides, and its seam twice, in the comments and in NAME.seam.json. The comments hold the
-/// positions of the sites too, where the tile knows them.
+/// positions of the sites too, where the tile has them.
 ///
 /// Faces are in the order of their materials, which is that of TileColours, and keep their order
 /// within one; vertices keep theirs. Texture coordinates are lattice coordinates

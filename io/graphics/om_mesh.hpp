@@ -19,7 +19,7 @@ namespace pcvt {
 ///     const Faces faces = mesh.faces();
 ///     const std::vector<int> site = mesh.integers("pcvt_face_site", 1, mesh.n_faces());
 ///
-/// Each function throws BadFile naming the file if the file lacks what it returns.
+/// Each function throws BadFile naming the file if the file lacks the property that it returns.
 class OmMesh : protected OmBytes {
    public:
     /// Reads a whole file. @param name, bytes  must outlive the object.

@@ -23,7 +23,7 @@ std::vector<EncodedFile> encode_om(const plane::Tile& tile, const std::string& p
 
 /// Encodes the boundary of a tile in space with the properties of OpenMeshSurface
 /// (mesher/space/tile/openmesh_surface.hpp).
-/// @throws InvalidInput if the boundary is no manifold.
+/// @throws InvalidInput if the boundary is not a manifold.
 std::vector<EncodedFile> encode_om_boundary(const space::TileSurface& surface,
                                             const std::string& path);
 

@@ -62,7 +62,7 @@ void check_format(const LineScanner& scanner) {
 void read_comment(const LineScanner& scanner, const NoteTaker& take_comment) {
     const std::span<const std::string_view> words = scanner.words();
     if (words.size() < 3 || words[1] != "pcvt") return;
-    // Sites are no comments in a PLY.
+    // A PLY does not state sites in comments.
     if (!words[2].starts_with("site") && take_comment(scanner, words[2], words.subspan(3))) return;
     scanner.throw_bad_file("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
 }

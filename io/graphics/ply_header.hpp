@@ -18,13 +18,13 @@ struct PlyRange {
     std::int64_t most = 0;
 };
 
-/// One declared property: `is_real` holds for float and double, `is_single` for float alone.
+/// One declared property: `is_real` holds for float and double, `is_single` only for float.
 struct PlyProperty {
     std::string_view name;
     bool is_real;
     bool is_single;
     bool is_list;
-    /// Of integers, and of the lengths of lists.
+    /// The ranges of integers, and of the lengths of lists.
     PlyRange values;
     PlyRange lengths;
     /// As declared: "uchar", "list uchar int".

@@ -186,7 +186,7 @@ std::vector<EncodedFile> encode_ply(const plane::Tile& tile, const FileOptions& 
     TileColours colours =
         tile_colours(tile, options.colouring.value_or(Colouring::kSides), options.quantities());
     SurfaceMesh mesh = surface_mesh(tile, SeamForm::kColumns);
-    // What bears no colours is plain.
+    // Faces, or vertices, without colours are plain.
     const int plain = static_cast<int>(colours.classes.size());
     colours.classes.push_back({.colour = kPlain, .name = {}, .label = {}});
     mesh.classes = std::move(colours.classes);

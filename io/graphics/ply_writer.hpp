@@ -26,9 +26,9 @@ std::vector<EncodedFile> encode_ply_mesh(const SurfaceMesh& mesh, const std::str
 ///
 /// Comments hold the lattice and the kind. Each vertex stores its orbit, the smallest index of a
 /// vertex on it, and its offset: position = position(orbit) + offset_i a + offset_j b. `site` is a
-/// property of faces (cells and grains) or of vertices (Delaunay triangles). Where the tile knows
-/// the positions of its sites, a third element `site` stores x and y of site 0, 1, ...: those of
-/// the image at the first face (vertex) that names the site.
+/// property of faces (cells and grains) or of vertices (Delaunay triangles). Where the tile has the
+/// positions of its sites, a third element `site` stores x and y of site 0, 1, ...: those of the
+/// image at the first face (vertex) that names the site.
 ///
 /// With options.single_precision, coordinates are 32-bit floats, and cells are fans of triangles of
 /// their site, because viewers such as three.js draw no polygon of more than four corners.

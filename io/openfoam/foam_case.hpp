@@ -33,7 +33,7 @@ struct FoamCase {
     CellFlow flow;
     /// The comments in the boundary file, from foam_notes() on.
     std::string notes;
-    /// Of layers.
+    /// The zones of the phases of a layer; else empty.
     std::vector<FoamZone> zones = {};
 };
 

@@ -92,7 +92,7 @@ void give_notes(const EncodedFile& boundary, FileTileBuilder comments, plane::Ti
 FoamCase foam_case(const plane::Tile& tile, const FiniteVolumeMesh& layer,
                    const CellMaterials* materials) {
     require_finite(tile);
-    // A case states the phases alone.
+    // A case states only the phases.
     CellMaterials phases;
     if (materials != nullptr) {
         phases = {.phase_names = materials->phase_names, .site_phase = materials->site_phase};

@@ -18,10 +18,10 @@ using WaitingCallback = std::function<void(const std::string& words)>;
 /// and hosts are committed one after the other.
 ///
 /// Each lock is a hidden file of the folder, which is removed when the lock is released. The system
-/// releases it when the process ends in whatever way; the file that is left then is taken over.
-/// Locks are taken in one order for all sets, that of the folders' identities, so that no two sets
-/// wait for each other. A folder whose lock cannot be had counts as locked: the file system has no
-/// locks, or the file belongs to another user.
+/// releases it when the process ends, in any way; the next run then takes over the file that is
+/// left. Locks are taken in one order for all sets, that of the folders' identities, so that no two
+/// sets wait for each other. A folder whose lock cannot be had counts as locked: the file system
+/// has no locks, or the file belongs to another user.
 ///
 /// Example usage:
 ///     CommitLocks locks;
@@ -50,7 +50,7 @@ class CommitLocks {
     struct Lock {
         explicit Lock(const std::string& folder);
         std::string path;
-        /// Whether a file of another user is no lock.
+        /// Whether a file of another user does not count as a lock.
         bool is_of_one_user = false;
         /// -1: not held.
         int file = -1;

@@ -5,7 +5,7 @@
 
 namespace pcvt {
 
-/// Every path of a run once: what it reads and what it writes, under whatever names.
+/// Every path of a run once: its inputs and its outputs, under whatever names.
 class DistinctPaths {
    public:
     void add_input(const std::string& path);

@@ -35,7 +35,7 @@ struct NameStatus {
     }
 };
 
-/// Looks a name up. A name that does not exist is no error.
+/// Looks a name up. A name that does not exist counts as success.
 int look_up(const char* path, NameStatus& status) noexcept;
 
 /// Opens a file whose name must be free. The descriptor is none of the three standard ones, so that
@@ -44,7 +44,7 @@ int create_file(const char* path, int& file) noexcept;
 /// Opens a regular file, for reading and writing, under the same rule.
 int open_file(const char* path, int& file) noexcept;
 /// Opens a regular file that serves as a lock, and makes it where it is missing. A file of another
-/// user may be opened for reading alone.
+/// user may be opened only for reading.
 int open_lock_file(const char* path, int& file, bool& is_fresh) noexcept;
 bool is_of_this_user(int file) noexcept;
 /// Locks a file against all other descriptors if it still has a name. Returns EWOULDBLOCK if it is
@@ -56,10 +56,10 @@ bool lacks_locks(int error) noexcept;
 /// Closes a descriptor and sets it to -1; does nothing for -1.
 void close_file(int& file) noexcept;
 int write_all(int file, std::string_view bytes) noexcept;
-/// Waits until the file is on the disk. Files that cannot be synchronised are no error.
+/// Waits until the file is on the disk. Files that cannot be synchronised count as success.
 int sync_file(int file) noexcept;
-/// Waits until the names in a folder are on the disk. A folder that cannot be opened for reading is
-/// no error.
+/// Waits until the names in a folder are on the disk. A folder that cannot be opened for reading
+/// counts as success.
 int sync_folder(const char* path) noexcept;
 /// Replaces the content of an open file by `bytes`, and waits until they are on the disk.
 int overwrite(int file, std::string_view bytes) noexcept;
@@ -67,7 +67,7 @@ int overwrite(int file, std::string_view bytes) noexcept;
 /// Gives a file, or a folder, a name that must be free.
 int move_file_to_free_name(const char* from, const char* to) noexcept;
 int move_folder_to_free_name(const char* from, const char* to) noexcept;
-/// Removes a name; one that is free already is no error.
+/// Removes a name; one that is free already counts as success.
 int remove_name(const char* path) noexcept;
 
 /// The words of the system for an error.

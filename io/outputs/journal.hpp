@@ -35,8 +35,8 @@ struct Journal {
 };
 
 std::string encode_journal(const Journal& journal);
-/// Returns nothing for bytes that are no complete journal, and for one that names anything outside
-/// of its folders.
+/// Returns nothing for bytes that are not a complete journal, and for one that names anything
+/// outside of its folders.
 std::optional<Journal> decode_journal(std::string_view bytes);
 
 /// The pointer to the run file that holds the journal.

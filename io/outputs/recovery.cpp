@@ -89,8 +89,8 @@ bool has_plain_folders(const std::string& folder, const std::string& target) {
     return true;
 }
 
-/// Returns the path without symbolic links, from the root on. The path may name a missing file, of
-/// which fs::weakly_canonical() alone keeps the relative name.
+/// Returns the path without symbolic links, from the root on. The path may name a missing file,
+/// whose relative name fs::weakly_canonical() would keep without fs::absolute().
 std::string absolute_path(const std::string& path) {
     std::error_code unknown;
     const fs::path absolute = fs::absolute(path, unknown);

@@ -102,7 +102,7 @@ RunFile RunFile::create(const std::string& folder, const std::string& target) {
         if (error == 0) {
             run.owner_ = RunFileOwner::kThisProcess;
             error = try_lock(run.file_);
-            // Where there are no locks, other runs cannot lock either and leave the file alone.
+            // Where there are no locks, other runs cannot lock either and do not touch the file.
             if (error == 0 || lacks_locks(error)) return run;
             run.remove();
         }

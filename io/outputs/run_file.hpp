@@ -21,8 +21,8 @@ std::string backup_path(const std::string& temporary);
 /// The result of an attempt to own a run file.
 enum class RunFileOwner { kNobody, kLivingRun, kThisProcess };
 
-/// The open, locked run file of a folder. The system releases the lock when the process ends in
-/// whatever way; a lock in the same process excludes other sets too.
+/// The open, locked run file of a folder. The system releases the lock when the process ends, in
+/// any way; a lock in the same process excludes other sets too.
 ///
 /// Example usage:
 ///     RunFile file = RunFile::create("out", "out/tile.obj");  // locked from here on

@@ -5,8 +5,8 @@
 namespace pcvt {
 
 /// The sources of the page, which embed_page.cmake makes from the files beside it: page.html with
-/// the marks @TITLE@, @STYLE@, @DATA@ and @SCRIPT@ (each alone or within a line), page.css, and all
-/// scripts in the order in which they depend on each other.
+/// the marks @TITLE@, @STYLE@, @DATA@ and @SCRIPT@ (each on its own or within a line), page.css,
+/// and all scripts in the order in which they depend on each other.
 extern const std::string_view kPageHtml;
 extern const std::string_view kPageStyle;
 extern const std::string_view kPageScript;

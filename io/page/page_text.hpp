@@ -7,7 +7,7 @@
 
 namespace pcvt {
 
-/// Returns a text with entities for what is a mark in HTML.
+/// Returns a text with entities for the marks of HTML.
 std::string html_text(std::string_view text);
 
 /// Returns a page with its marks replaced. Replaced parts are not searched for marks.

@@ -7,16 +7,16 @@ namespace pcvt {
 
 /// One picture of a study with the values that its marks show.
 struct StudyPagePicture {
-    /// Of its file, without the extension.
+    /// The name of its file, without the extension.
     std::string name;
     std::string svg;
-    /// As plot_points() returns them; empty for a picture that is no plot.
+    /// As plot_points() returns them; empty for a picture that is not a plot.
     std::string points;
 };
 
 /// One table of a study.
 struct StudyPageTable {
-    /// Of its file, without the extension.
+    /// The name of its file, without the extension.
     std::string name;
     std::vector<std::string> columns;
     std::vector<std::vector<std::string>> rows;

@@ -14,7 +14,7 @@ constexpr double kCaptionLine = 17;
 constexpr double kEntryHeight = 30;
 /// The width of an entry's mark and of the gap after its label.
 constexpr double kEntryGap = 40;
-/// Of the caption of all panels, in pixels.
+/// The size of the caption of all panels, in pixels.
 constexpr double kHeadingSize = 16;
 /// Below this spacing in pixels, dots would merge into grey.
 constexpr double kLeastDottedPanelSpacing = 7;

@@ -22,7 +22,7 @@ constexpr const char* kFaint = "#e4e6ea";
 /// The margin between the outermost points and the border, as a share of the range.
 constexpr double kAir = 0.04;
 /// Ranges that are smaller than this part of their values are drawn as one value: ticks would
-/// differ by rounding alone.
+/// differ only by rounding.
 constexpr double kRangeRounding = 1e-12;
 /// Maps the values along one axis to pixels.
 class Scale {

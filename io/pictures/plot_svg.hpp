@@ -51,7 +51,7 @@ std::string encode_plots(const std::string& title, const std::vector<Plot>& plot
 
 /// Returns the points of all series as JSON, for pages that show values under the pointer:
 /// [{"label": "periodic CVT", "points": [[px, py, x, y], ...]}, ...], px and py the pixels in the
-/// picture of encode_plots(). Dashed series, which are no data, are left out.
+/// picture of encode_plots(). Dashed series, which do not show data, are left out.
 std::string plot_points(const std::vector<Plot>& plots);
 
 }  // namespace pcvt

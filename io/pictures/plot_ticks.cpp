@@ -16,7 +16,8 @@ constexpr std::size_t kFewestTicks = 3;
 /// Relative rounding errors of this size do not remove a tick from its axis.
 constexpr double kTickRounding = 1e-9;
 
-/// Returns the step of 1, 2 or 5 times a power of ten that is nearest, by ratio, to the wanted one.
+/// Returns the step of 1, 2 or 5 times a power of ten that is nearest, by ratio, to the desired
+/// one.
 double nice_step(double range) {
     const double rough = range / kWantedTicks;
     const double decade = std::pow(10.0, std::floor(std::log10(rough)));

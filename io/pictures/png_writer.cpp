@@ -35,7 +35,7 @@ std::vector<Colour> colour_list(const TileColours& colours) {
     return list;
 }
 
-/// Returns the number of sites of a tile, whatever its pieces.
+/// Returns the number of sites of a tile, also of one in pieces.
 int count_sites(const plane::Tile& tile) {
     if (!faces_have_sites(tile.kind)) {
         return tile.n_vertices() - static_cast<int>(tile.vertex_pairs.size());

@@ -88,7 +88,7 @@ std::vector<int> painted_order(const SpaceTile& tile, const space::Vec3& towards
 struct SpacePicture {
     std::vector<ShownFace> faces;
     SvgFrame frame;
-    /// Of the edges, in pixels of SVG.
+    /// The width of the edges, in pixels of SVG.
     double edge_width;
 };
 

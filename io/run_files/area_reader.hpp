@@ -9,7 +9,7 @@
 
 namespace pcvt {
 
-/// The wished areas of cells in a text file; site s has the s-th line that holds a number.
+/// The target areas of cells in a text file; site s has the s-th line that holds a number.
 ///
 /// Example usage:
 ///     const AreaFile file = read_areas("grains.txt");

@@ -42,7 +42,7 @@ class RowScanner {
     }
 
    private:
-    /// Advances to the next line that is no comment.
+    /// Advances to the next line that is not a comment.
     bool next_line() {
         while (!rest_.empty()) {
             const std::size_t end = std::min(rest_.find('\n'), rest_.size());

@@ -14,7 +14,7 @@ namespace pcvt {
 ///     if (!reads_back("cells.csv", encode_cells(rows), rows)) report_a_fault();
 ///
 /// @param name  the file's name in messages.
-/// @throws BadFile  naming the line if the text is no table of cells.
+/// @throws BadFile  naming the line if the text is not a table of cells.
 bool reads_back(const std::string& name, std::string_view text, const CellRows& rows);
 
 }  // namespace pcvt

@@ -64,8 +64,8 @@ struct NamedFunction {
     double (*function)(double);
 };
 
-/// What formulas call in place of muParser's functions, which are those of the system's library:
-/// their last digits differ between machines.
+/// The functions that formulas call in place of muParser's, which are those of the system's
+/// library: their last digits differ between machines.
 constexpr NamedFunction kFunctions[] = {
     {"sin", portable_sin},     {"cos", portable_cos},     {"tan", portable_tan},
     {"asin", portable_asin},   {"acos", portable_acos},   {"atan", portable_atan},

@@ -28,7 +28,7 @@ plane::Shape polygon(Numbers x) {
 struct ShapeRow {
     const char* word;
     const char* article;
-    /// What follows the tag, for messages.
+    /// The numbers that follow the tag, for messages.
     const char* form;
     std::size_t fewest;
     /// With more than `fewest`, there may be any number of pairs.

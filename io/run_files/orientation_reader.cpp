@@ -14,7 +14,7 @@ constexpr double kHalfTurn = std::numbers::pi;
 constexpr double kFullTurn = 2 * std::numbers::pi;
 /// Angles in radians are often rounded to three decimals or more: pi is 3.142.
 constexpr double kRounding = 2e-4;
-/// Angles below this are no larger than those between the grains of a single crystal, in degrees.
+/// Angles below this also occur between the grains of a single crystal, in degrees.
 constexpr double kSmallAngle = 0.2;
 
 double in_degrees(double radians) {

@@ -6,7 +6,7 @@
 
 namespace pcvt {
 
-/// The characters of a number that Abaqus and CalculiX read; what follows them is dropped unseen.
+/// The characters of a number that Abaqus and CalculiX read; they ignore all further ones.
 inline constexpr std::size_t kFixedWidth = 20;
 
 /// Numbers of at most 20 characters: the shortest that read back as the value where they fit, else
@@ -16,8 +16,8 @@ class FixedWidthNumbers {
     /// @param largest  the largest number to come, by its absolute value; above 0.
     explicit FixedWidthNumbers(double largest);
 
-    /// @returns false, and leaves `text` alone, where the value would be off by more than half an
-    ///          ulp of the largest number.
+    /// @returns false, and does not change `text`, where the value would be off by more than half
+    ///          an ulp of the largest number.
     /// @throws InternalError if it is not finite.
     bool append(std::string& text, double value) const;
 

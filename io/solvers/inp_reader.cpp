@@ -80,7 +80,7 @@ class InpParser {
             scanner_.throw_bad_file("the last equation is not whole; write the file again");
         if (controls_[0] && controls_[1]) tie_nodes();
         remove_controls();
-        // Cell sets count in a file of pcvt alone, and only if its nodes have no sites.
+        // Cell sets count only in a file of pcvt, and only if its nodes have no sites.
         if (!file_.kind || !file_.sites.empty()) file_.numbered.triangle_sites.clear();
         return std::move(file_);
     }

@@ -40,12 +40,12 @@ constexpr const char* kWithJob =
     "** is; its materials and steps are at the end.";
 constexpr const char* kPeriodicTile = "a periodic tile";
 constexpr const char* kBetweenWalls = "a tile between walls";
-/// Of a tile between walls.
+/// Explains the sets of a tile between walls.
 constexpr const char* kWallSets =
     "** WALL_LEFT and so on are the nodes of a wall, but for tied ones; WALL_LEFT_SIDES the sides "
     "of\n"
     "** elements there.\n";
-/// Of a box, which has no equations.
+/// Explains a box, which has no equations.
 constexpr const char* kBoxExplanation =
     " No node is tied to another.\n"
     "** Lines that begin with \"** pcvt\" hold what no card does.\n";

@@ -34,7 +34,7 @@ namespace pcvt {
 ///   u_x(node) = u_x(r) + T_x e_xx + T_y e_xy        u_y(node) = u_y(r) + T_x e_xy + T_y e_yy
 ///
 /// Lines that begin with "** pcvt" hold the kind, the lattice, the sites of nodes and,
-/// where the tile knows them, the positions of the sites; and the materials (material_words.hpp).
+/// where the tile has them, the positions of the sites; and the materials (material_words.hpp).
 /// Solvers read 20 characters of a number; longer coordinates are rounded, by at most half an ulp
 /// of the largest coordinate.
 ///

@@ -52,7 +52,7 @@ class MshGroups {
     std::optional<std::string> fault_of_boundary(const NumberedItems& items,
                                                  const std::vector<MshLine>& lines) const;
 
-    /// By dimension - 1: the name of a physical group, the group of an entity.
+    /// The name of each physical group and the group of each entity, by dimension - 1.
     std::array<std::map<int, std::string>, kDimensions> names_;
     std::array<std::map<int, int>, kDimensions> groups_;
     bool has_cells_ = false;

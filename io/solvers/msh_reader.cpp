@@ -34,7 +34,7 @@ class TileParser final : public MshSections {
         if (is_ours_) {
             group_fault_ = groups_.fault(name(), file_.numbered, surfaces_, lines_);
         }
-        // Sites count in a file of pcvt alone, and node sites determine the cells of triangles.
+        // Sites count only in a file of pcvt, and node sites determine the cells of triangles.
         if (!is_ours_ || !file_.numbered.node_sites.empty()) file_.numbered.triangle_sites.clear();
         if (!is_ours_) file_.numbered.node_sites.clear();
         if (is_ours_) collect_edges();

@@ -171,7 +171,7 @@ void VtuArrays::read_array(const std::string& section, std::span<const std::stri
                    .type = std::string(scanner_.attribute("type").value_or(""))};
     const auto components = scanner_.attribute("NumberOfComponents");
     if (components) array.n_components = integer(*components, scanner_.line());
-    // VTK may nest elements with ranges in an array; its numbers are its own text alone.
+    // VTK may nest elements with ranges in an array; its numbers are only its own text.
     scanner_.for_each_word([&](std::string_view word, int line) { add_value(word, line, array); });
     if (!arrays_.emplace(key, std::move(array)).second) {
         scanner_.throw_bad_file(scanner_.line(),

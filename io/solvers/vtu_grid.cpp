@@ -50,7 +50,7 @@ void add_numbers_of_sites(std::string_view name, std::span<const int> of_site,
                           std::vector<VtuData>& data) {
     if (of_site.empty()) return;
     auto numbers = std::get<std::vector<int>>(data.front().values);
-    // Of a file under proof, the numbers are those of its own cells.
+    // In a file under proof, the numbers are those of its own cells.
     const auto is_known = [&](int cell) { return std::cmp_less(cell, of_site.size()); };
     for (int& cell : numbers) cell = is_known(cell) ? of_site[cell] : -1;
     data.push_back({"Int32", name, std::move(numbers)});

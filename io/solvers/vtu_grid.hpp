@@ -12,7 +12,7 @@
 
 namespace pcvt {
 
-/// The comments by which readers know the files of pcvt.
+/// The comments by which readers recognise the files of pcvt.
 inline constexpr std::string_view kTileVtuMark = "<!-- A periodic tile, written by pcvt -->";
 inline constexpr std::string_view kPolyhedraVtuMark =
     "<!-- A periodic tile of polyhedra, written by pcvt -->";
@@ -45,7 +45,7 @@ struct VtuData {
 ///              sites; for runs with phases or inclusions `Phase`, that of the site, an index into
 ///              `PhaseNames`; of polyhedra `Faces`, their number, `Volume` (length^3) and `Site`,
 ///              the image of the site in the cell.
-///   FieldData  `PeriodicLattice`, the period vectors; where the tile knows its sites, `Periods`,
+///   FieldData  `PeriodicLattice`, the period vectors; where the tile has its sites, `Periods`,
 ///              the numbers of periods along both, and `SitePositions`; `ShortEdges`, the length
 ///              below which edges of cells were removed, in units of h; for elongated cells
 ///              `Metric`, ratio and degrees, for power cells `SiteWeights`
@@ -61,7 +61,7 @@ struct VtuGrid {
     /// x, y and z, length units.
     std::vector<std::array<double, 3>> points;
     ElementList cells;
-    /// Of polyhedra, in each: the number of its faces; for each face the number of its points, and
+    /// For each polyhedron, the number of its faces; for each face the number of its points, and
     /// these, counter-clockwise seen from outside.
     Faces polyhedra = {};
     std::vector<VtuData> field_data = {};

@@ -21,7 +21,7 @@ bool holds_vtu_tetrahedra(const EncodedFile& vtu);
 ///     const PolyhedralProof proof = prove_polyhedra(tile.mesh);
 ///
 /// @param tolerance  within which partners on the seam agree at least, length units.
-/// @throws BadFile   the text is no such file, or states something else of its cells.
+/// @throws BadFile   the text does not have that form, or contradicts its cells.
 /// @throws NotATile  a face has no partner, or more than two cells.
 SpaceTile decode_vtu_polyhedra(const EncodedFile& vtu, double tolerance = 0);
 

@@ -49,7 +49,7 @@ class CellFields {
 };
 
 /// The number that an attribute of the current tag states; `nullopt` if it is missing.
-/// @throws BadFile if it is no number.
+/// @throws BadFile if it is not a number.
 std::optional<double> number_attribute(const XmlScanner& scanner, std::string_view key);
 
 /// The words of a text, between blanks and line feeds.

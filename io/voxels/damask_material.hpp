@@ -32,7 +32,7 @@ inline constexpr const char* kOnlyPhase = "default";
 ///   (1) The rotation matrix of q is the transpose of Bunge's matrix, and |q| = 1.
 Quaternion damask_quaternion(const BungeAngles& angles);
 
-/// Encodes the configuration of materials of DAMASK 3, which has one entry a cell. pcvt knows no
+/// Encodes the configuration of materials of DAMASK 3, which has one entry a cell. pcvt has no
 /// material laws: each phase has the chosen elastic constants, or those of aluminium, for the user
 /// to replace.
 ///

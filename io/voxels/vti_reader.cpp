@@ -201,7 +201,7 @@ class VtiFile {
             checkpoint_each(static_cast<long>(k));
             const auto value =
                 static_cast<std::int64_t>(little_endian(std::string_view(bytes).substr(k, width)));
-            // Of 32 bits, the sign is that of the highest bit.
+            // In 32 bits, the highest bit is the sign.
             const bool fits = width == 4 || (value >= 0 && value <= plane::kMostSites);
             file_.image.site.push_back(fits ? static_cast<std::int32_t>(value) : -1);
         }

@@ -11,7 +11,7 @@ namespace pcvt {
 struct VtkArrayForm {
     /// The bytes of a number in front of the data: 4 or 8.
     std::size_t header_size = 4;
-    /// By zlib, in blocks.
+    /// Whether zlib has compressed the array, in blocks.
     bool is_compressed = false;
 };
 

@@ -2,7 +2,7 @@
 
 namespace pcvt {
 
-/// Thrown through work that is no longer wanted.
+/// Thrown to end work that its client has cancelled.
 struct Cancelled {};
 
 /// The party for which a thread works. Long work calls it often, so that it can end the work, and

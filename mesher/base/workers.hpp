@@ -14,7 +14,7 @@ namespace pcvt {
 /// A fixed team of threads for loops over independent tasks.
 ///
 /// The assignment of tasks to threads changes from run to run. Results stay reproducible if a task
-/// depends on its index alone, never on the thread or on the number of threads, and if sums over
+/// depends only on its index, never on the thread or on the number of threads, and if sums over
 /// tasks are added up afterwards in the order of the tasks.
 ///
 /// Example usage:

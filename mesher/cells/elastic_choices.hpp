@@ -20,7 +20,7 @@ struct NamedConstants {
     friend bool operator==(const NamedConstants&, const NamedConstants&) = default;
 };
 
-/// The elastic constants that a user wants for the materials of a run.
+/// The elastic constants that a user gives for the materials of a run.
 struct ElasticChoices {
     /// All materials have the same constants, the default of a format.
     bool are_same = false;
@@ -30,7 +30,7 @@ struct ElasticChoices {
 };
 
 /// Reads materials with blanks or line ends between them: `NAME:E,NU`, `NAME:C11,C12,C44` or
-/// `NAME:C11,C12,C13,C33,C44` each; or the word `same`, alone.
+/// `NAME:C11,C12,C13,C33,C44` each; or only the word `same`.
 ///
 /// Example usage:
 ///     const ElasticChoices choices = parse_elastic_choices("matrix:3.5,0.35 fibre:70,0.2");

@@ -14,7 +14,7 @@ enum class PatchKind { kCyclic, kWall, kEmpty };
 
 /// A run of boundary faces of a finite-volume mesh.
 struct FiniteVolumePatch {
-    /// Of cyclic patches that of their offset (set_names.hpp).
+    /// The name in files; for a cyclic patch, seam_name() of its offset (set_names.hpp).
     std::string name;
     PatchKind kind;
     int first_face;

@@ -203,7 +203,7 @@ void LaplacianSolver::precondition(std::size_t k, const Eigen::VectorXd& b, Eige
         }
         x[row] = sum * level.inverse_diagonal[row];
     }
-    // Solve for the residual, which the sweep has left in the larger columns alone.
+    // Solve for the residual, which the sweep has left only in the larger columns.
     if (k + 1 < levels_.size()) {
         Level& coarse = levels_[k + 1];
         coarse.b.setZero();

@@ -9,12 +9,12 @@
 
 namespace pcvt {
 
-/// The materials that a user wants.
+/// The materials that a user chooses.
 struct MaterialChoices {
     /// As checked_phases() returns them; empty: no phases.
     std::vector<PhaseFraction> phases = {};
     bool draws_orientations = false;
-    /// Of the sites 0 ... n - 1, unless they are drawn; empty: no orientations.
+    /// The orientations of sites 0 ... n - 1, unless they are drawn; empty: no orientations.
     std::vector<BungeAngles> orientations = {};
 
     bool has_orientations() const { return draws_orientations || !orientations.empty(); }

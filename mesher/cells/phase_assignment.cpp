@@ -77,7 +77,7 @@ class Assignment {
         }
     }
 
-    /// The largest difference of a phase's area from its wish.
+    /// The largest difference of a phase's area from its target.
     double error() const { return largest(excess_); }
     const std::vector<int>& phases() const { return phase_; }
 
@@ -245,7 +245,7 @@ class Assignment {
     int n_;
     double total_;
     std::vector<int> phase_;
-    /// The area of each phase less its wish.
+    /// The area of each phase less its target.
     std::vector<double> excess_;
     /// c_sk - f_k m_s
     std::vector<double> around_;

@@ -11,13 +11,13 @@ namespace pcvt {
 /// Gives each cell a phase, so that the phases have prescribed fractions of the area and lie evenly
 /// over the torus. Laws, tested by number:
 ///
-///   (1) The area of each phase differs from its wish by at most (1 - 1 / K) of the smallest cell,
-///       K the number of phases: half of it for two phases, and no less is possible for equal
+///   (1) The area of each phase differs from its target by at most (1 - 1 / K) of the smallest
+///       cell, K the number of phases: half of it for two phases, and no less is possible for equal
 ///       cells in general. Where cells are so few, or the smallest one so small, that exchanges of
 ///       cells do not reach this, the best assignment of some tens of attempts is returned.
 ///   (2) Of all sides between cells, at most the share sum_k (D_k / D)^2 lies between cells of
-///       equal phase, with D_k of all D sides on cells of the phase k: neighbours of equal phase
-///       are no more frequent than at random.
+///       equal phase, with D_k of all D sides on cells of the phase k: neighbours have equal phases
+///       at most as often as at random.
 ///   (3) No phase prefers cells with few sides, or small ones.
 ///   (4) The same cells, fractions and seed give the same phases on every machine.
 ///

@@ -26,7 +26,7 @@ inline constexpr std::string_view kSeamSet = "seam_";
 inline constexpr std::string_view kBackPatch = "back";
 inline constexpr std::string_view kFrontPatch = "front";
 inline constexpr std::string_view kDomainSet = "domain";
-/// Of the surfaces of elements on a wall or a hole: behind its name.
+/// Follows the name of a wall or a hole in the name of its surface of element sides.
 inline constexpr std::string_view kSidesSuffix = "_sides";
 
 /// Returns the name of the part of a boundary that an offset takes to its partners, in every

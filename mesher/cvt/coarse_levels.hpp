@@ -42,7 +42,7 @@ class Shakes {
 struct LevelGrowth {
     /// The energy of n sites is in proportion to n^(-2 / dimension): 2 or 3.
     int dimension;
-    /// By how much the number of orbits grows from one level to the next.
+    /// The factor by which the number of orbits grows from one level to the next.
     double factor;
     /// Levels with at most this number of orbits are not coarsened further.
     int coarsest;

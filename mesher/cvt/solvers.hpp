@@ -11,13 +11,13 @@ namespace pcvt {
 
 /// `kLbfgs` lets Newton's method finish where a minimum is near and the objective has a Hessian,
 /// `kNewton` uses that method from the start (lbfgs_newton.hpp). `kPlainLbfgs` and `kLloyd` are the
-/// paper's solvers and nothing else.
+/// paper's solvers.
 enum class Solver { kLbfgs, kLloyd, kNewton, kPlainLbfgs };
 
 /// Minimises from the point that the objective holds.
 using Minimize = OptimizerResult (*)(Objective&, const OptimizerOptions&, Workers&);
 
-/// A solver as options, reports and runs know it.
+/// A solver in options, reports and runs.
 ///
 ///   const OptimizerResult end = solver_row(Solver::kLbfgs).minimize(objective, options, workers);
 struct SolverRow {

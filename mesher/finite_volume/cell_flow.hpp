@@ -23,7 +23,7 @@ namespace pcvt {
 struct CellFlow {
     /// At the centroid of each cell, length / second; z = 0 in the plane.
     std::vector<Eigen::Vector3d> velocity = {};
-    /// A scalar that the flow carries along its own contours, so that it decays by diffusion alone,
+    /// A scalar that the flow carries along its own contours, so that it decays only by diffusion,
     /// as exp(-D rate t) with the diffusivity D, as long as the flow keeps_shape. In the plane the
     /// stream function less the mean, divided by its largest value; in space empty.
     std::vector<double> tracer = {};

@@ -64,7 +64,7 @@ struct MpasGrid {
     std::vector<double> area_cell, area_triangle, dc_edge, dv_edge, angle_edge;
     /// The density at the sites relative to its largest value there; 1 if it is uniform.
     std::vector<double> mesh_density;
-    /// Of a file that states it: the mean of mesh_density over the area.
+    /// The mean of mesh_density over the area, as a file states it; nullopt: not stated.
     std::optional<double> stated_mean_density;
     /// As stated; nullopt: no Coriolis parameter.
     std::optional<Coriolis> coriolis;
@@ -95,8 +95,8 @@ class UnsuitableCells : public InvalidInput {
 /// @param origin  corner of the domain that contains the points.
 /// @throws UnsuitableCells if a Delaunay triangle is not acute: its circumcentre would lie outside
 ///         it, and a kite would be negative. The message names the worst triangle.
-/// @throws InvalidInput if the lattice is not rectangular, or if neighbours lie half a period
-///         apart, so that the nearest image is ambiguous.
+/// @throws InvalidInput if the lattice is not rectangular, or if the distance of neighbours is half
+///         a period, so that the nearest image is ambiguous.
 MpasGrid mpas_grid(const plane::PeriodicMesh& cells, const plane::Vec2& origin);
 
 /// Sets the Coriolis parameter of cells, edges and vertices from their positions.

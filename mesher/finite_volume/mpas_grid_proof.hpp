@@ -17,7 +17,7 @@ struct MpasGridProof {
     double trisk;
 };
 
-/// Proves the laws of MpasGrid from the tables alone.
+/// Proves the laws of MpasGrid from nothing but the tables.
 ///
 /// Example usage:
 ///   std::cout << "TRiSK deviation " << prove_mpas_grid(grid).trisk << "\n";

@@ -19,7 +19,7 @@ class ConjugateGradients {
     struct Limits {
         /// The residual over that of d = 0, both in the norm of the preconditioner.
         double relative_residual;
-        /// Of the trust region, in the units of d.
+        /// The radius of the trust region, in the units of d.
         double radius;
         /// Largest number of products with H.
         int products;

@@ -17,7 +17,7 @@ namespace pcvt {
 /// The class is made for large n, where memory traffic determines the time: vectors are stored at
 /// 16 bits a number, and an iteration sweeps over them twice. The first sweep, after an evaluation,
 /// computes the dot products of the new gradient with all of them. From these follow the products
-/// between all pairs, and from the products alone the coefficients of the two-loop recursion (J.
+/// between all pairs, and from only these products the coefficients of the two-loop recursion (J.
 /// Nocedal 1980; W. Chen, Z. Wang, J. Zhou 2014). The second sweep combines the next direction and
 /// rounds it to its stored value. A step is therefore known exactly, and a change of gradient to 1
 /// / 65,534 of the largest number of its block. With a preconditioner M the initial Hessian is M,
@@ -86,7 +86,7 @@ class LbfgsHistory {
     /// Vector here_ is the gradient where the search begins, the other vector that at the last
     /// trial point.
     PackedVectors gradients_;
-    /// The preconditioned gradients likewise, once evaluations carry them.
+    /// The preconditioned gradients at the same points, once evaluations return them.
     std::optional<PackedVectors> preconditioned_;
     int here_ = 0;
     /// Slots of the pairs, the oldest first, and the slot of the current direction.

@@ -17,8 +17,8 @@ enum class NewtonStart { kNear, kNearForAnyNumber, kAtOnce };
 /// threshold 1e-4 everywhere, without these two bounds. Where Newton's method gets stuck, or (not
 /// with `kAtOnce`) ends at its trust region too often, L-BFGS continues until the RMS residual has
 /// fallen to a third, and so on; each such leg evaluates its first point once more. Iterations and
-/// evaluations are counted over all legs. The run ends as `stalled` where L-BFGS does. An objective
-/// without a Hessian is minimised by L-BFGS alone.
+/// evaluations are counted over all legs. The run ends as `stalled` where L-BFGS does. For an
+/// objective without a Hessian, L-BFGS runs to the end.
 ///
 /// Example usage:
 ///

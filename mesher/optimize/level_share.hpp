@@ -18,7 +18,7 @@ class LevelShare {
     LevelShare(double n_sites, double n_all, double rms_tolerance)
         : n_sites_(n_sites), n_all_(n_all), rms_tolerance_(rms_tolerance) {}
 
-    /// From 0 to 1; it never falls.
+    /// Returns the share of the work that is done, from 0 to 1; it never falls.
     double at(double rms) {
         if (first_ == 0) first_ = rms;
         least_ = std::min(least_, rms);

@@ -41,7 +41,7 @@ class Objective {
     virtual ~Objective() = default;
 
     virtual Eigen::Index n_variables() const = 0;
-    /// Evaluates at point + t * direction; t = 0 is the point itself, whatever the direction. The
+    /// Evaluates at point + t * direction; t = 0 is the point itself, for any direction. The
     /// direction must not change until this trial is accepted or rejected, or until the next
     /// evaluation.
     /// @returns false where the function is not defined (two sites coincide).
@@ -74,7 +74,7 @@ struct Progress {
     /// Above 0 in a search over many starts: the number of evaluations that the search may use.
     /// `iteration` then counts the starts, and `value` is the lowest value so far.
     int budget = 0;
-    /// Of a coarse start: the part of its work that is done, from 0 to 1.
+    /// In a coarse start, the part of its work that is done, from 0 to 1.
     double share = 0;
     /// Returns the positions of the sites at this iteration, 2 x n, in the order of the result and
     /// in length units. Valid during the callback; nullptr where positions are not known.

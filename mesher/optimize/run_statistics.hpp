@@ -35,8 +35,8 @@ struct RunStatistics {
     int cg_products = 0;
     /// The value of the objective at the end: of a CVT the energy F, density x length^4.
     double energy = 0;
-    /// What the tolerance is compared with, and the root mean square of what it is the maximum of:
-    /// of a CVT of |x_i - g_i| / h.
+    /// Maximum and RMS of the residuals: for a CVT, of |x_i - g_i| / h. The run converges when
+    /// `residual` <= tolerance.
     double residual = 0;
     double rms_residual = 0;
 

@@ -5,7 +5,7 @@
 namespace pcvt {
 
 /// Decimal numbers as std::to_chars and std::from_chars define them, also with a standard library
-/// that has these for integers alone (libc++ before version 14). Laws, tested by number:
+/// that has these only for integers (libc++ before version 14). Laws, tested by number:
 ///   (1) The text is that of std::to_chars, byte for byte.
 ///   (2) The number is that of std::from_chars, to the last bit, as are the end and the error.
 ///
@@ -22,7 +22,7 @@ char* write_decimal(char* begin, char* end, double value, std::chars_format form
 
 std::from_chars_result read_decimal(const char* begin, const char* end, double& value);
 
-/// The same by functions of C alone, as they serve where std::to_chars is missing.
+/// The same by nothing but functions of C, for libraries without std::to_chars.
 namespace by_c {
 char* write_decimal(char* begin, char* end, double value);
 char* write_decimal(char* begin, char* end, float value);

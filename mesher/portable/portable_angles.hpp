@@ -2,8 +2,8 @@
 
 namespace pcvt {
 
-// Functions of angles from additions, multiplications, divisions and square roots alone, which
-// IEEE 754 rounds correctly: the same bits on every machine, unlike those of the system's library.
+// Functions of angles from only additions, multiplications, divisions and square roots, which IEEE
+// 754 rounds correctly: the same bits on every machine, unlike those of the system's library.
 //
 // Example usage:
 //

@@ -2,9 +2,9 @@
 
 namespace pcvt {
 
-// Elementary functions from additions, multiplications, divisions and square roots alone, which
-// IEEE 754 rounds correctly: the same bits on every machine, unlike those of the system's library.
-// Zeros, infinities and values out of the domain give what the standard functions give.
+// Elementary functions from only additions, multiplications, divisions and square roots, which IEEE
+// 754 rounds correctly: the same bits on every machine, unlike those of the system's library.
+// Zeros, infinities and values out of the domain give the results of the standard functions.
 //
 // Example usage:
 //

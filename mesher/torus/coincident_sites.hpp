@@ -9,7 +9,7 @@
 
 namespace pcvt {
 
-/// What becomes of given sites that coincide with earlier ones.
+/// The treatment of given sites that coincide with earlier ones.
 enum class Duplicates { kRefuse, kDrop };
 
 /// Rows of a table of choices (choices.hpp), with the numbers of pcvt.h.

@@ -5,7 +5,7 @@
 
 namespace pcvt {
 
-/// A union-find structure over orbits that also tracks offsets: each orbit knows the root of its
+/// A union-find structure over orbits that also tracks offsets: each orbit stores the root of its
 /// set and its offset to it. `Offset` is the type of the offsets of a lattice of the plane or of
 /// space.
 ///

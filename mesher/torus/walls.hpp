@@ -11,7 +11,7 @@ namespace pcvt {
 /// all four. The domain stays periodic along the other direction.
 enum class Walls { kNone, kX, kY, kXY };
 
-/// Walls as options, files, reports and the C interface know them.
+/// Walls in options, files, reports and the C interface.
 struct WallsRow {
     Walls walls;
     const char* word;
@@ -52,8 +52,8 @@ constexpr const WallsRow* walls_of_numbers(double across_x, double across_y) {
     });
 }
 
-/// What the cells beside a wall are: whole cells of sites off the wall, or halves of cells whose
-/// sites lie on it.
+/// The cells beside a wall: whole cells of sites off the wall, or halves of cells whose sites lie
+/// on it.
 enum class WallCells { kWhole, kHalf };
 
 struct WallCellsRow {

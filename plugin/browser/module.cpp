@@ -1,4 +1,5 @@
-// What JavaScript calls of the module: options and results of pcvt.h, with fields by name.
+// The functions of the module that JavaScript calls: options and results of pcvt.h, with fields by
+// name.
 #include <emscripten.h>
 
 #include <algorithm>
@@ -91,7 +92,7 @@ EM_JS(int, report_progress,
                                     fraction, text, sites, n_sites);
       });
 
-/// @param data  a bool: whether JavaScript wants the sites.
+/// @param data  a bool: whether JavaScript needs the sites.
 int on_progress(const pcvt_progress* p, void* data) {
     pcvt_sites sites{};
     if (*static_cast<const bool*>(data) && p->phase == PCVT_PHASE_OPTIMISE) {

@@ -73,7 +73,7 @@ struct StudyRecipe {
     std::vector<std::string> pictures;
     /// How many columns of the main table are printed.
     std::size_t printed_columns;
-    /// The rows of one run, a function of n and the seed alone, except for times.
+    /// The rows of one run, which depend only on n and the seed, except for times.
     std::vector<StudyRow> (*run)(int n, int run, std::uint64_t seed);
     /// Tables and pictures from the rows of all runs.
     StudyResult (*conclude)(const Study& study, const StudyTable& runs);

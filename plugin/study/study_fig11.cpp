@@ -186,7 +186,7 @@ CellPanel pattern_panel(const PatternTally& tally, const Pattern& pattern) {
     return panel;
 }
 
-/// The panel of the best result where none has hexagons alone; repeats that run.
+/// The panel of the best result where none has only hexagons; repeats that run.
 CellPanel best_panel(const PatternTally& tally) {
     const plane::Points start =
         uniform_points(unit_square(), tally.n, std::stoull(tally.best_seed));

@@ -13,8 +13,7 @@ namespace {
 constexpr int kLloydIterations = 3000;
 constexpr int kLbfgsIterations = 80;
 constexpr double kStandardTolerance = 1e-8;
-/// One of the few starts from which 80 iterations lead to hexagons alone, as in the paper's
-/// picture.
+/// One of the few starts from which 80 iterations lead to only hexagons, as in the paper's picture.
 constexpr std::uint64_t kAllHexagonSeed = 15;
 
 std::string site_cell(const plane::Points& sites) {

@@ -16,7 +16,7 @@ constexpr int kRegular = 6;
 /// Colours differ between these numbers of sides.
 constexpr int kFewestSides = 3;
 constexpr int kMostSides = 9;
-/// Of the domain's size: smaller parts, of cells that only touch the domain, are not drawn.
+/// Parts of cells below this area are not drawn: such cells only touch the domain.
 constexpr double kSliver = 1e-12;
 /// In periods: a site this near to the border is drawn on both sides.
 constexpr double kOnBorder = 1e-9;

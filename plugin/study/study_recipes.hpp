@@ -22,10 +22,11 @@ plane::Lattice unit_square();
 /// 5 / (18 sqrt(3) n), the paper's F_hex.
 double f_hex(int n);
 
-/// Relative difference of energies of the same minimum. Of its runs the first one is reported.
+/// Relative difference of energies of the same minimum. The first run that reaches a minimum is
+/// reported.
 inline constexpr double kSameEnergy = 1e-9;
 
-/// The paper's solver: L-BFGS alone, so that the statistics of minima are comparable.
+/// The paper's solver: only L-BFGS, so that the statistics of minima are comparable.
 plane::CvtOptions plain_lbfgs(double tolerance, int max_iterations = -1);
 
 /// The number of cells with six sides; edges shorter than 1e-5 h are not counted.

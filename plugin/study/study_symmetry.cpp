@@ -13,7 +13,7 @@ constexpr double kSymmetryTolerance = 1e-6;
 constexpr int kPanelColumns = 6;
 constexpr double kPanelSize = 150;
 
-/// What a run occupies: general positions alone, or besides them the centres of the highest order.
+/// The positions that a run occupies: only general ones, or also the centres of the highest order.
 struct Occupation {
     const char* word;
     bool centres;

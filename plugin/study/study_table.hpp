@@ -32,8 +32,8 @@ struct StudyTable {
 /// @throws InternalError if a cell holds a comma, a quote or a line end.
 std::string encode_csv(const StudyTable& table);
 
-/// Reads what encode_csv wrote; all comment lines become notes.
-/// @throws BadFile "name:line: what is wrong; what to do".
+/// Reads a table of encode_csv; all comment lines become notes.
+/// @throws BadFile "name:line: fault; remedy".
 StudyTable decode_csv(const std::string& name, const std::string& text);
 
 /// The first `most_columns` columns, aligned for readers, and then the remarks.

@@ -23,7 +23,7 @@ import bpy
 import numpy as np
 
 SINGLE = 2e-6
-# Of the areas of cells, of positions in single precision.
+# The tolerance of the areas of cells from positions in single precision.
 SAME_AREA = 1e-5
 
 

@@ -92,7 +92,7 @@ class Browser {
 
     async show(address) {
         this.events = [];
-        // A change of the hash alone would not load the page.
+        // A change of only the hash would not load the page.
         await this.send('Page.navigate', {url: 'about:blank'});
         await this.send('Page.navigate', {url: address});
         await this.until(
@@ -167,7 +167,7 @@ async function withBrowser(program, use) {
     }
 }
 
-// Opens every file by checkPage(browser, file) and prints what it returns or why it failed; the process
+// Opens every file by checkPage(browser, file) and prints its result or why it failed; the process
 // exits with 1 after a failure.
 async function checkPages(name, checkPage, [program, ...files]) {
     try {

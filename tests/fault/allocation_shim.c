@@ -7,7 +7,7 @@
  *   FAULT_FOREVER=1      and so does every later one
  *   FAULT_COUNT=FILE     receives the number of allocations when the program ends
  *
- * A program that knows the shim chooses by fault_arm() instead. */
+ * A program that is linked with the shim chooses by fault_arm() instead. */
 #include "tests/fault/allocation_shim.h"
 
 #include <errno.h>

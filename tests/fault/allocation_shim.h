@@ -1,4 +1,4 @@
-/* The calls of a program that knows the shim; the program is linked with it. */
+/* The calls of a program that is linked with the shim. */
 #ifndef PCVT_TESTS_FAULT_ALLOCATION_SHIM_H
 #define PCVT_TESTS_FAULT_ALLOCATION_SHIM_H
 

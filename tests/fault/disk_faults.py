@@ -1,7 +1,7 @@
 """Jobs of pcvt whose system calls fail, or that are killed, and the verdict on the files that they leave.
 
-A fault may leave every output of a job old, or every one new. What a kill leaves may be mixed until the next
-run in the same folders, which must make it all old or all new, and remove every hidden file. Exit code 0
+A fault may leave every output of a job old, or every one new. A kill may leave old files beside new ones until
+the next run in the same folders, which must make all of them old or new, and remove every hidden file. Exit code 0
 means all new; any other exit code means all old, unless the message announces the work of the next run.
 """
 
@@ -131,7 +131,7 @@ class Job:
             if done.returncode != 0:
                 return f"the next run ends with {done.returncode}: {done.stderr.decode()}"
         words = b"".join(done.stdout + done.stderr for done in runs).decode()
-        return "the next run does not tell what it did" if before == "mixed" and RECOVERED not in words else ""
+        return "the next run does not report its recovery" if before == "mixed" and RECOVERED not in words else ""
 
     def check_complaint(self, folder):
         """A file of an unfinished set must be refused for that reason."""
@@ -143,7 +143,7 @@ class Job:
         return "" if done.returncode == 2 and UNFINISHED in line else f"check does not see the unfinished set: {line}"
 
     def complaint(self, done, folder, before):
-        """What is wrong with the end of a run that had a fault, or an empty text."""
+        """A complaint about the end of a run that had a fault, or an empty text."""
         code, line = done.returncode, done.stderr.decode()
         killed = code == -signal.SIGKILL
         if not killed and code not in CODES[self.name]:

@@ -373,7 +373,7 @@ std::string run_fuzz_input(const FuzzTarget& target, const std::string& bytes) {
     } catch (const std::bad_alloc&) {
         return "out of memory";
     } catch (const std::exception& error) {
-        return std::string("an exception that is no refusal: ") + error.what();
+        return std::string("an exception that is not a refusal: ") + error.what();
     }
 }
 

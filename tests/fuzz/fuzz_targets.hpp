@@ -14,7 +14,7 @@ namespace pcvt::testing {
 ///   for (const std::string& seed : target->seeds()) run_fuzz_input(*target, seed);
 struct FuzzTarget {
     std::string_view name;
-    /// Reads the bytes and proves what they hold.
+    /// Reads the bytes and proves their content.
     std::function<void(const std::string& bytes)> read;
     /// Valid inputs, made by the writers where there are any. The same on every run.
     std::function<std::vector<std::string>()> seeds;

@@ -159,7 +159,7 @@ std::vector<Field> buffer_fields(const BaseFile& base, const Json& json) {
     return fields;
 }
 
-/// The results keep what they refer to.
+/// The results keep the JSON that they refer to.
 std::vector<Mutant> mutants_of_json(const BaseFile& base, bool is_binary) {
     const auto json = std::make_shared<JsonMutants>(base, is_binary);
     std::vector<Mutant> mutants = json->mutants();

@@ -16,7 +16,7 @@ class MshNamer {
             section_ = words[0].starts_with("$End") ? "" : std::string(words[0]);
             return {"", {"section"}};
         }
-        // Of comments, pcvt reads those that begin with its name.
+        // pcvt reads only comments that begin with its name.
         const bool is_comment = section_ == "$Comments";
         if (is_comment && words[0] != "pcvt") return {};
         const std::string part = is_comment ? "pcvt " + std::string(words[1]) : section_;

@@ -14,7 +14,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> formats;
-    /// Of mutants for each base file; 0: all.
+    /// The number of mutants for each base file; 0: all.
     std::size_t sample = 0;
     std::uint64_t seed = 0;
     bool lists_fields = false;

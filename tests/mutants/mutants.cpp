@@ -68,7 +68,7 @@ Files replaced(const Files& files, std::size_t file, std::size_t at, std::size_t
 struct Row {
     std::size_t begin;
     std::string text;
-    /// The words of a part of a list, each behind a blank; empty: the row is no such part.
+    /// The words of a part of a list, each behind a blank; empty: the row is another one.
     std::string part = {};
 };
 

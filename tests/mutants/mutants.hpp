@@ -47,7 +47,7 @@ struct LineNames {
     std::string row = {};
     std::vector<std::string> words = {};
     /// The words in front of a part of a list that goes on in the next row of this name; 0: the row
-    /// is no such part.
+    /// does not belong to such a list.
     std::size_t n_before_part = 0;
 };
 using LineNamer = std::function<LineNames(const std::vector<std::string_view>& words)>;

@@ -47,7 +47,7 @@ std::vector<Mutant> obj_mutants(const BaseFile& base) {
         }
     };
     add(0, names_of_obj, "/");
-    // The proof of the file alone, without the sidecar, which repeats the labels.
+    // The proof of only the file, without the sidecar, which repeats the labels.
     const std::size_t n_beside = mutants.size();
     for (std::size_t k = 0; k < n_beside; ++k) {
         mutants.push_back({"alone " + mutants[k].field, mutants[k].change,

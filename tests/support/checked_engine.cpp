@@ -49,15 +49,15 @@ bool CheckedEngine::evaluate() {
     std::iota(all.triangles.begin(), all.triangles.end(), 0);
     const bool has_inverted = !delaunay_.inverted(all).empty();
 
-    const plane::PredicateCounts asked = plane::predicate_counts();
+    const plane::PredicateCounts predicates = plane::predicate_counts();
     const plane::DelaunayCounts counts = delaunay_.counts();
     const bool defined = pass_.evaluate(energy_);
     const int n_builds = delaunay_.counts().n_rebuilds - counts.n_rebuilds;
     tally_.flips += delaunay_.counts().n_flips - counts.n_flips;
     tally_.rebuilds += n_builds;
     tally_.local_repairs += defined && has_inverted && n_builds == 0;
-    tally_.predicates += plane::predicate_counts().asked - asked.asked;
-    tally_.exact += plane::predicate_counts().exact - asked.exact;
+    tally_.predicates += plane::predicate_counts().calls - predicates.calls;
+    tally_.exact += plane::predicate_counts().exact - predicates.exact;
     if (n_builds > kMostBuildsPerMove) require(std::to_string(n_builds) + " builds for one move");
     return defined;
 }

@@ -171,9 +171,9 @@ std::string difference_from_mirrors(const plane::MovingDelaunay& delaunay,
 std::string difference_from_new_build(const plane::MovingDelaunay& delaunay, const Energy& energy,
                                       const plane::Sites& sites) {
     plane::MovingDelaunay rebuilt(sites);
-    Workers alone(1);
+    Workers one(1);
     Energy rebuilt_energy;
-    if (!plane::EnergyPass(rebuilt, alone).evaluate(rebuilt_energy)) return "a new build failed";
+    if (!plane::EnergyPass(rebuilt, one).evaluate(rebuilt_energy)) return "a new build failed";
     if (rebuilt.counts().n_flips + rebuilt.counts().n_rebuilds > 0)
         return "a new build was repaired";
     const auto difference_words =

@@ -13,7 +13,8 @@ namespace pcvt::testing {
 ///   (1) Every tetrahedron is positive, every facet has one tetrahedron on each side, and the
 ///       volumes sum to exactly one domain. So the tetrahedra fill the torus once.
 ///   (2) No image of a site lies inside of a circumsphere, nor on it against the rule for ties: for
-///       each tetrahedron all images in a box round its sphere are examined, whatever their number.
+///       each tetrahedron all images in a box round its sphere are examined, without a limit on
+///       their number.
 ///
 /// Example usage:
 ///

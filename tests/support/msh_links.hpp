@@ -85,8 +85,8 @@ inline int n_left(int n_nodes, const std::vector<MshLink>& links) {
 }
 
 /// Expects that each program finds the orbits of an MSH file: one that unites all links, one that
-/// keeps the first, the last or any link of each node, and one that links curves (in space,
-/// surfaces) alone.
+/// keeps the first, the last or any link of each node, and one that links only curves (in space,
+/// surfaces).
 inline void expect_orbits(const std::string& msh, int n_orbits) {
     const int n = n_msh_nodes(msh);
     std::vector<MshLink> all;

@@ -28,7 +28,7 @@ inline plane::Polygon points_on(const plane::Shape& shape, int n) {
 
 struct RandomInclusions {
     int n_shapes = 5;
-    /// Of these, the first lie across the seam or a corner of the domain.
+    /// The number of shapes, the first ones, that lie across the seam or a corner of the domain.
     int n_across = 0;
     double fraction = 0.3;
     /// In units of sqrt(area).
@@ -76,7 +76,7 @@ inline plane::Shape random_shape(const plane::Vec2& centre, double radius,
     return plane::Ellipse{centre, radius * aspect, radius / aspect, 360 * unit(random)};
 }
 
-/// Shapes of random kinds and sizes that keep the gap; fewer than wanted where no more fit.
+/// Shapes of random kinds and sizes that keep the gap; fewer than n_shapes where no more fit.
 inline std::vector<plane::Inclusion> random_inclusions(const plane::Lattice& lattice,
                                                        const RandomInclusions& wanted,
                                                        std::mt19937_64& random) {

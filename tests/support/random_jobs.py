@@ -54,7 +54,7 @@ class JobDraw:
         self.n_sites = round(10 ** draw.uniform(0, 2.2 if dimension == 2 else 1.7))
         self.meshes = ["voronoi"]
         self.formats = PLANE_FORMATS if dimension == 2 else SPACE_FORMATS
-        # What the theme rules out.
+        # The choices that the theme rules out.
         self.is_rectangle = self.has_lattice = self.has_phases = False
         self.origins = "xy"
         units = (19, -19, 37, -37, 55, -55, 61) if dimension == 2 else (12, -12, 36, -36, 41)

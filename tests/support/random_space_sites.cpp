@@ -142,7 +142,7 @@ NamedPoints random_points(Random& random) {
     }
 }
 
-/// Rounds to multiples of 2^-50 in [0, 1) and leaves out what coincides.
+/// Rounds to multiples of 2^-50 in [0, 1) and leaves out points that coincide with earlier ones.
 space::Points distinct(const space::Points& coordinates) {
     std::set<std::tuple<double, double, double>> known;
     space::Points kept(3, coordinates.cols());

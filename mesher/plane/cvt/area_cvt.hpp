@@ -33,10 +33,10 @@ struct AreaCvtResult {
     /// The regular triangulation, with the weights, which sum to zero.
     PeriodicDelaunay delaunay;
     /// energy: the sum of the integrals of |p - x_i|^2 over the power cells, length^4. residual,
-    /// rms_residual: of |x_i - g_i| / h. converged: the areas were reached, and the residual is at
-    /// most the tolerance; stalled: the areas were not reached.
+    /// rms_residual: maximum and RMS |x_i - g_i| / h. converged: the areas were reached, and the
+    /// residual is at most the tolerance; stalled: the areas were not reached.
     RunStatistics run;
-    /// Of the last areas; newton_steps, products and trials are those of the whole run.
+    /// The figures of the last areas; newton_steps, products and trials count the whole run.
     SizeFigures areas;
     DelaunayCounts counts;
 };

@@ -21,7 +21,7 @@ struct CellAreas {
 /// Power cells as a file states them.
 struct StatedCells {
     Lattice lattice;
-    /// Of elongated cells.
+    /// The metric of elongated cells.
     Metric metric;
     /// The sides of the lattice's rectangle at which the cells end.
     Walls walls = Walls::kNone;
@@ -29,17 +29,17 @@ struct StatedCells {
     Points points;
     /// n, length^2.
     Eigen::VectorXd weights;
-    /// Of a position, length units, and of a weight, as a share of the largest one.
+    /// The rounding of a position, length units, and of a weight, as a share of the largest one.
     double rounding;
     double weight_rounding;
 };
 
-/// The cell whose area differs most from its wish, in units of the tolerance.
+/// The cell whose area differs most from its target, in units of the tolerance.
 struct AreaComparison {
     SiteId site;
     /// length^2
     double area;
-    /// |area - wish| / wish
+    /// |area - target| / target
     double error;
     /// file_area_tolerance(n), n with the mirror images between walls, or more where the rounding
     /// of the file changes the area by more.
@@ -72,7 +72,7 @@ CellAreas power_cell_areas(const Sites& sites, const Eigen::VectorXd& weights);
 CellAreas power_cell_areas(const Lattice& domain, Walls walls, const Points& points,
                            const Eigen::VectorXd& weights);
 
-/// Compares the areas of power_cell_areas() with wished ones.
+/// Compares the areas of power_cell_areas() with target areas.
 /// @param wanted  n, positive, length^2.
 /// @throws InvalidInput as power_cell_areas() and Sites do.
 AreaComparison compare_areas(const StatedCells& cells, const Eigen::VectorXd& wanted);

@@ -24,7 +24,7 @@ struct DensityFigures {
     double expected_energy = 0;
     /// The largest estimated quadrature error of a centroid, in units of the square root of its
     /// cell's area, and the number of cells where no rule reaches the required accuracy. The
-    /// density is not smooth in those cells, so their centroids are no more accurate than this
+    /// density is not smooth in those cells, so their centroids are at best as accurate as this
     /// error.
     double quadrature_error = 0;
     int n_rough_cells = 0;
@@ -36,7 +36,7 @@ struct DensityCvtOptions {
     /// density.
     Minimize minimize = solver_row(Solver::kLbfgs).minimize_density;
     OptimizerOptions optimizer;
-    /// nullptr: none. Of tie_orbits(), for a density with the symmetry of the orbits.
+    /// The result of tie_orbits() for a density with the symmetry of the orbits; nullptr: none.
     const OrbitEmbedding* orbits = nullptr;
     SiteConstraints<MovingDelaunay> constraints = {};
 };

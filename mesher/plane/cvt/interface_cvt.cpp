@@ -145,7 +145,7 @@ class GuardedRuns {
 
     const EmptyCircles& circles_;
     int n_seeds_;
-    /// Of each site the one of the domain of which it is an image, or itself.
+    /// For each site, the site of the domain of which it is an image, or itself.
     std::vector<SiteId> orbit_;
     std::vector<bool> is_fixed_;
     std::vector<SiteId> fixed_;

@@ -15,7 +15,7 @@ struct InterfaceCvt {
     /// Between walls: `cvt` is that of the domain and its mirror images, as in WalledCvt.
     std::optional<WalledDomain> walled = {};
     InterfaceSites interfaces;
-    /// Of each site of the domain: its inclusion, or -1, and the tag of that inclusion, or 0.
+    /// For each site of the domain, its inclusion, or -1, and the tag of that inclusion, or 0.
     std::vector<int> inclusion;
     std::vector<int> tag;
     /// Free sites that were stopped at a circle, where they would have moved on.

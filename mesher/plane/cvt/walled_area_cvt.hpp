@@ -7,7 +7,7 @@ namespace pcvt::plane {
 
 /// Cells of prescribed areas between walls, and the torus of which they are a part.
 struct WalledAreaCvt {
-    /// Of the domain and its mirror images, whose weights are equal; the energy is that of the
+    /// The cells of the domain and its mirror images, with equal weights. The energy is that of the
     /// domain, in which the cell of a site on a wall counts as a half, in a corner as a quarter.
     AreaCvtResult torus;
     /// Which sites of the torus belong to the domain.

@@ -9,8 +9,8 @@ namespace pcvt::plane {
 
 /// A CVT between walls, and the torus of which it is a part.
 struct WalledCvt {
-    /// Of the domain and its mirror images; energies, masses and bounds are those of the domain, in
-    /// which the cell of a site on a wall counts as a half, in a corner as a quarter.
+    /// The CVT of the domain and its mirror images. Energies, masses and bounds are those of the
+    /// domain, in which the cell of a site on a wall counts as a half, in a corner as a quarter.
     CvtResult torus;
     /// Which sites of the torus belong to the domain.
     WalledDomain domain;
@@ -38,7 +38,7 @@ WalledCvt compute_walled_cvt(const Lattice& domain, Walls walls, WallCells cells
 using SymmetricRun = std::function<CvtResult(const SymmetricSites&, const CvtOptions&)>;
 
 /// The same by another method than compute_cvt(). The first n_sites sites that `run` receives are
-/// the points, or what half cells have made of them.
+/// the points, some of them moved onto walls if cells are halved.
 /// @param domain   without n_on_walls.
 /// @param points   2 x n_sites; they are numbered as given.
 WalledCvt compute_walled_cvt(const WalledDomain& domain, WallCells cells, Points points,

@@ -18,7 +18,7 @@ double filter(const TorusTriangulation& triangulation, const Points& coordinates
               int h) {
     const int o = triangulation.opposite(h);
     if (triangulation.has_offsets(h) || triangulation.has_offsets(o)) return 0;
-    ++detail::predicate_counts.asked;
+    ++detail::predicate_counts.calls;
     const auto at = [&](int g) -> Vec2 { return coordinates.col(triangulation.corner_sites()[g]); };
     const Vec2 p = at(h);
     const Vec2 q = at(TorusTriangulation::next(h));

@@ -58,7 +58,7 @@ MirrorDiagram mirror_diagram(const Sites& sites, WithPieces with_pieces = WithPi
 /// nullopt, before most of the work.
 std::optional<MirrorDiagram> mirror_diagram_within(const Sites& sites, int most_mirrors);
 
-/// The first step alone: the Euclidean Delaunay triangulation of the n sites, the reference for the
+/// Only the first step: the Euclidean Delaunay triangulation of the n sites, the reference for the
 /// cost of the other methods.
 /// @returns the number of its triangles.
 std::size_t euclidean_delaunay(const Sites& sites);

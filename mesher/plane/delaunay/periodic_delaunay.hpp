@@ -33,7 +33,7 @@ class PeriodicDelaunay {
     const Sites& sites() const { return sites_; }
     const TorusTriangulation& triangulation() const { return triangulation_; }
     const Gram& gram() const { return gram_; }
-    /// Of each site, length^2; empty without weights.
+    /// The weight of each site, length^2; empty without weights.
     const Eigen::VectorXd& weights() const { return weights_; }
 
     /// The centre of a triangle's power circle, which is a corner of three cells, in the triangle's
@@ -49,7 +49,7 @@ class PeriodicDelaunay {
     TorusTriangulation triangulation_;
     Gram gram_;
     Eigen::VectorXd weights_;
-    /// From length^2 to units of the Gram matrix, a power of two.
+    /// The factor from length^2 to units of the Gram matrix, a power of two.
     double gram_weight_ = 1;
 };
 

@@ -5,7 +5,7 @@
 namespace pcvt::plane {
 namespace detail {
 
-/// Of |d|^2 - w: three roundings of the largest term, then one for each of four sums.
+/// Error bound of |d|^2 - w: three roundings of the largest term, then one for each of four sums.
 inline constexpr double kPowerDistanceError = 8 * kUnitRoundoff;
 
 int exact_compare_power_distances(const Gram& gram, const Image& at, const WeightedImage& p,
@@ -38,7 +38,7 @@ inline PowerDistance power_distance(const Gram& gram, const Vec2& d, double weig
 /// @param at  a point, which has the form of an image; its site is not used.
 inline int compare_power_distances(const Gram& gram, const Image& at, const WeightedImage& p,
                                    const WeightedImage& q) {
-    ++detail::predicate_counts.asked;
+    ++detail::predicate_counts.calls;
     const Vec2 to_p = difference(at, p.at);
     const Vec2 to_q = difference(at, q.at);
     if (detail::is_exact(to_p) && detail::is_exact(to_q)) {

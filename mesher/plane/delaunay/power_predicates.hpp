@@ -59,7 +59,7 @@ inline double in_power_circle_filter(const Gram& gram, const WeightedImage& p,
 /// counter-clockwise. Exact for any finite weights.
 inline int in_power_circle(const Gram& gram, const WeightedImage& p, const WeightedImage& q,
                            const WeightedImage& r, const WeightedImage& s) {
-    ++detail::predicate_counts.asked;
+    ++detail::predicate_counts.calls;
     const double sign = detail::in_power_circle_filter(gram, p, q, r, s);
     if (sign != 0) return sign > 0 ? 1 : -1;
     return detail::exact_in_power_circle(gram, p, q, r, s);

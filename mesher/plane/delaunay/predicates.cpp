@@ -88,7 +88,7 @@ bool differences_exact(const Vector<double>& d) {
 /// The sign of the orthocentre's first coordinate minus `line`.
 int centre_side(const Gram& g, const WeightedImage& p, const WeightedImage& q,
                 const WeightedImage& r, int line) {
-    ++detail::predicate_counts.asked;
+    ++detail::predicate_counts.calls;
     const auto d = vector<double>(p, q);
     const auto e = vector<double>(p, r);
     const double corner = p.at.u + (p.at.offset.i - line);
@@ -187,7 +187,7 @@ Vec2 circumcentre(const Gram& gram, const Image& p, const Image& q, const Image&
 
 int in_power_segment(const Gram& gram, const WeightedImage& p, const WeightedImage& q,
                      const WeightedImage& s) {
-    ++detail::predicate_counts.asked;
+    ++detail::predicate_counts.calls;
     ++detail::predicate_counts.exact;
     const auto d = vector<Exact>(s, p);
     const auto e = vector<Exact>(s, q);

@@ -50,7 +50,7 @@ double gram_unit(const Lattice& reduced);
 
 /// Calls of predicates on this thread, and how many of them the filter could not decide.
 struct PredicateCounts {
-    std::int64_t asked = 0;
+    std::int64_t calls = 0;
     std::int64_t exact = 0;
 };
 PredicateCounts predicate_counts();
@@ -123,7 +123,7 @@ inline double in_circle_filter(const Gram& gram, const Vec2& rp, const Vec2& rq,
 
 /// Returns +1 if p, q, r turn counter-clockwise, -1 if clockwise, 0 if they are collinear.
 inline int orientation(const Image& p, const Image& q, const Image& r) {
-    ++detail::predicate_counts.asked;
+    ++detail::predicate_counts.calls;
     const Vec2 d = difference(p, q);
     const Vec2 e = difference(p, r);
     if (detail::is_exact(d) && detail::is_exact(e)) {
@@ -139,7 +139,7 @@ inline int orientation(const Image& p, const Image& q, const Image& r) {
 /// outside, 0 if on it.
 inline int in_circle(const Gram& gram, const Image& p, const Image& q, const Image& r,
                      const Image& s) {
-    ++detail::predicate_counts.asked;
+    ++detail::predicate_counts.calls;
     const Vec2 rp = difference(r, p);
     const Vec2 rq = difference(r, q);
     const Vec2 sp = difference(s, p);

@@ -10,7 +10,8 @@
 namespace pcvt::plane {
 
 /// A site whose move is an integer matrix times the move of its representative, in reduced
-/// coordinates: what a lattice isometry, and a mirror that holds the representative, make of it.
+/// coordinates. A lattice isometry defines the matrix, together with the mirror on which the
+/// representative lies, if any.
 struct MoveTie {
     SiteId representative = 0;
     /// Row by row. Sums of two entries of a row times 1/2 are at most 1.

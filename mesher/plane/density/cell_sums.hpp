@@ -36,7 +36,7 @@ class CellSums {
           whole_(probe, cells.from_frame()),
           cut_(probe) {}
 
-    /// Computes moments[k] of cell k. Each result depends on its cell alone, to the last bit.
+    /// Computes moments[k] of cell k. Each result depends only on its cell, to the last bit.
     /// @throws BadDensity as the probe does.
     void integrate(std::span<const OrderedCell> cells, std::vector<Moments>& moments);
     /// Whether a break line or the seam crosses the cell of a site.

@@ -28,8 +28,7 @@ using DensityFunction = std::function<void(std::span<const DensityPoint>, std::s
 class PixelGrid;
 
 /// A density rho > 0 on the torus. It is only evaluated in the parallelogram of the user's basis
-/// and is therefore periodic whatever its formula: a formula that differs at opposite sides jumps
-/// there.
+/// and is therefore periodic for any formula: a formula that differs at opposite sides jumps there.
 ///
 /// Example usage:
 ///

@@ -8,7 +8,7 @@
 namespace pcvt::plane {
 
 /// Integrals of a density over a rectangle of lattice coordinates: of rho, rho s, rho t, rho s^2,
-/// rho s t and rho t^2, for coordinates s along u and t along v that the caller knows.
+/// rho s t and rho t^2, for coordinates s along u and t along v that the caller chooses.
 struct PlainMoments {
     double mass = 0;
     double s = 0;

@@ -12,8 +12,8 @@ inline constexpr int kPixelOrder = 3;
 /// Integrates the density of a picture over cells, exactly up to rounding.
 ///
 /// The lines between the columns of squares cut a cell into strips. In each strip the squares that
-/// lie in the cell are one run, whose moments PixelGrid knows; the parts of squares below and above
-/// it are fans of triangles. Time is proportional to the squares that the outline of the cell
+/// lie in the cell are one run, whose moments PixelGrid returns; the parts of squares below and
+/// above it are fans of triangles. Time is proportional to the squares that the outline of the cell
 /// crosses, and a sixteenth of the others; no memory is needed for either.
 ///
 /// Example usage:

@@ -14,7 +14,7 @@ namespace pcvt::plane {
 /// of flipped triangles.
 ///
 /// Law, tested by number:
-///   (1) After an update every ring equals that of a new object, whatever happened in between.
+///   (1) After an update every ring equals that of a new object, after any sequence of moves.
 class SiteRings {
    public:
     /// Both must outlive this object.

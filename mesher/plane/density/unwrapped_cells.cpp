@@ -16,7 +16,8 @@ namespace {
 constexpr double kThin = 1e-4;
 constexpr std::size_t kFirstRoom = 512;
 
-/// From the reduced basis to the frame, and from the frame to the user's lattice coordinates.
+/// The maps from the reduced basis to the frame, and from the frame to the user's lattice
+/// coordinates.
 struct Maps {
     double ax, bx, by;
     double ux, uy, vx, vy;

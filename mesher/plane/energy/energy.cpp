@@ -199,7 +199,7 @@ void EnergyPass::Slab::scatter(const MovingDelaunay& delaunay, int first, int n,
     };
     double sum = 0;
     for (int k = 0; k < n; ++k, site += 3) {
-        // Collect what the block could not certify.
+        // Collect the triangles that the block could not certify.
         if (!(block.thick[k] > 0)) {
             suspects.triangles.push_back(first + k);
             continue;

@@ -245,7 +245,7 @@ void LongWaves::solve() {
     const auto solve_row = [&](int i) {
         Number* const waves = grid_->row(i);
         Number* const opposite = grid_->row((n_rows - i) % n_rows);
-        // Waves with a largest index have two signs, and the one with the least is no wave.
+        // Waves with a largest index have two signs, and the one with the least is constant.
         if (2 * i == n_rows) std::fill_n(waves, n_columns, Number{});
         waves[n_columns / 2] = opposite[n_columns / 2] = 0;
         if (i == 0) waves[0] = 0;
@@ -277,7 +277,7 @@ void LongWaves::solve() {
 
 /// Adds r / (2 h^2) and the nodes' values interpolated at the sites.
 void LongWaves::distribute(const Eigen::VectorXd& r, Eigen::VectorXf& p) {
-    const double alone = 1 / (2 * area_per_site_);
+    const double local = 1 / (2 * area_per_site_);
     const auto stretch = [&](const Stretch& part) {
         for (int s = part.first_site; s < part.end_site; ++s) {
             const auto i = static_cast<int>(place_(0, s) + kMargin) - kMargin;
@@ -289,8 +289,8 @@ void LongWaves::distribute(const Eigen::VectorXd& r, Eigen::VectorXf& p) {
             const Number above = upper[0] + right * (upper[1] - upper[0]);
             const Number below = lower[0] + right * (lower[1] - lower[0]);
             const Number moved = above + down * (below - above);
-            p[2 * s] = static_cast<float>(alone * r[2 * s]) + moved.real();
-            p[2 * s + 1] = static_cast<float>(alone * r[2 * s + 1]) + moved.imag();
+            p[2 * s] = static_cast<float>(local * r[2 * s]) + moved.real();
+            p[2 * s + 1] = static_cast<float>(local * r[2 * s + 1]) + moved.imag();
         }
     };
     workers_.for_each(static_cast<int>(stretches_.size()), [&](int k) { stretch(stretches_[k]); });

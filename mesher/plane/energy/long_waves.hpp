@@ -15,9 +15,9 @@ inline constexpr int kFewestForLongWaves = 500;
 ///
 /// Long waves are the reason why optimisers need more iterations for more sites: for a wave of
 /// displacements with wave vector k the Hessian is only C |k|^2. Near a hexagonal arrangement C is
-/// C_L = 0.417 h^4 along k and C_T = 0.0963 h^4 across k (measured), whereas a site that moves
-/// alone has the stiffness 2 h^2. The inverse is therefore 1 / (2 h^2) plus a term for collective
-/// motion,
+/// C_L = 0.417 h^4 along k and C_T = 0.0963 h^4 across k (measured), whereas one site that moves
+/// among fixed ones has the stiffness 2 h^2. The inverse is therefore 1 / (2 h^2) plus a term for
+/// collective motion,
 ///
 ///   M^-1 r = r / (2 h^2) + w P F^-1 [ kk^T / (C_L k^4) + (1 - kk^T / k^2) / (C_T k^2) ] F P^T r
 ///

@@ -48,8 +48,8 @@ class DualPolygon {
     }
 
    private:
-    /// Of the circles through sites i and j and another site of the chain, the one without a
-    /// further site has its centre least far inside.
+    /// The triangle of sites i and j and the site of the chain between them whose circle contains
+    /// no further site: its centre lies least far inside.
     DualTriangle triangle_on(int i, int j) const {
         DualTriangle best;
         const Vec2 side = sites_[j].point - sites_[i].point;

@@ -44,8 +44,8 @@ struct RefinementLeft {
 /// Ungor's off-centre). A split acts on both sides of an edge, so neighbouring cells remain
 /// conforming. Triangles are processed by decreasing circumradius.
 ///
-/// @param progress  called now and then with the share that is done, about, from 0 to 1; what it
-///                  throws ends the refinement. May be empty.
+/// @param progress  called now and then with the share that is done, about, from 0 to 1; an
+///                  exception that it throws ends the refinement. May be empty.
 RefinementLeft refine(GrainTriangulation& grains, const RefinementSizes& sizes,
                       const std::function<void(double)>& progress = {});
 

@@ -9,7 +9,7 @@ namespace pcvt::plane {
 struct FreeSitesOptions {
     int n = 0;
     std::uint64_t seed = 0;
-    /// The wanted distance of neighbours at a point, length units, up to a factor.
+    /// The target distance of neighbours at a point, length units, up to a factor.
     std::function<double(const Vec2&)> spacing;
     /// Draws points, 2 x n, length units, from the density of sites.
     std::function<Points(int n, std::uint64_t seed)> draw;

@@ -42,7 +42,7 @@ class InclusionSet {
     int n_given() const { return size() / n_images(walls_); }
     const Lattice& domain() const { return domain_; }
     Walls walls() const { return walls_; }
-    /// Of the torus.
+    /// The period vectors of the torus, mirror images included.
     const Lattice& lattice() const { return lattice_; }
     const Reduction& reduction() const { return reduction_; }
     /// As given, polygons counter-clockwise.
@@ -89,7 +89,7 @@ class InclusionSet {
     std::vector<Inclusion> inclusions_;
     std::vector<PolygonSides> sides_;
     std::vector<Circle> bounds_;
-    /// Of each bounding circle's centre: the whole periods that wrap() removed.
+    /// The whole periods that wrap() removed from each bounding circle's centre.
     std::vector<Offset> whole_;
     double largest_radius_ = 0;
     std::optional<TorusGrid> grid_;

@@ -152,7 +152,7 @@ struct CornerPlan {
     /// Tangent of half of the sharper angle, and on which side it is: 0 if it is not sharp.
     double slope;
     int shared_side = 0;
-    /// Of a sharp corner: the radius, the length of both chords and the radius at their other ends.
+    /// At a sharp corner, the radius, the length of both chords and the radius at their other ends.
     double radius = 0;
     double chord = 0;
     double next_radius = 0;
@@ -256,7 +256,7 @@ class PolygonNodes {
         const double to = length - plan(k + 1).chord;
         nodes.push_back({corner(k), plan(k).radius, plan(k).shared_side});
         if (from > 0) nodes.push_back({corner(k) + from * along, plan(k).next_radius});
-        // Divide what is between the chords of sharp corners.
+        // Divide the part between the chords of sharp corners.
         const std::vector<Sample> samples(samples_.begin() + static_cast<long>(first_[k]),
                                           samples_.begin() + static_cast<long>(first_[k + 1]));
         const std::vector<double> counts = chord_counts(samples);
@@ -284,7 +284,7 @@ class PolygonNodes {
     const CurveSizes& sizes_;
     std::vector<CornerPlan> plans_;
     std::vector<Sample> samples_;
-    /// Of each side.
+    /// The first sample of each side, and after the last side the number of samples.
     std::vector<std::size_t> first_;
 };
 

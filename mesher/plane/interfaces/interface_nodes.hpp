@@ -7,11 +7,11 @@
 
 namespace pcvt::plane {
 
-/// What the chords along an interface are as long as.
+/// The target lengths of the chords along an interface.
 struct InterfaceSizing {
-    /// The wanted length of a chord at a point, length units, anywhere in the plane.
+    /// The target length of a chord at a point, length units, anywhere in the plane.
     std::function<double(const Vec2&)> spacing;
-    /// Of each inclusion, in its frame.
+    /// The limits of the chords of each inclusion, in its frame.
     std::vector<std::vector<SizeLimit>> limits;
 };
 
@@ -25,7 +25,7 @@ struct InterfaceNode {
     int shared_side = 0;
 };
 
-/// A number of seeds, two a chord, that the curve of a shape has at least, whatever the spacing.
+/// A number of seeds, two a chord, that the curve of a shape has at least, for any spacing.
 double fewest_seeds(const Shape& shape);
 
 /// Divides the curve of inclusion k into chords, shorter than the spacing where the curve is bent,

@@ -45,7 +45,7 @@ struct Seed {
 /// One curve with its seeds.
 struct Curve {
     std::vector<InterfaceNode> nodes;
-    /// Of the chord from each node to the next.
+    /// The seeds beside the chord from each node to the next.
     std::vector<SiteId> inside;
     std::vector<SiteId> outside;
 
@@ -239,7 +239,7 @@ class Placement {
     std::vector<Curve> curves_;
     std::vector<bool> changed_;
     std::vector<Seed> seeds_;
-    /// Of each seed.
+    /// The place of each seed, wrapped.
     std::vector<WrappedPoint> wrapped_;
     /// The inclusion and the place where seeds do not fit first.
     std::optional<std::pair<int, Vec2>> first_bad_;

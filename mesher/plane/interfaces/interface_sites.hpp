@@ -35,12 +35,12 @@ struct InterfaceSites {
     /// 2 x n, reduced basis, multiples of 2^-51 in [0, 1): as Sites stores them. Mirror images are
     /// exact but for the rounding to this grid.
     Points coordinates;
-    /// Of each seed: the inclusion in which it lies, or -1.
+    /// The inclusion in which each seed lies, or -1.
     std::vector<int> inclusion;
     std::vector<Chord> chords;
     /// Between walls with their mirror images.
     std::vector<EmptyCircle> circles;
-    /// Of each inclusion: its chords, in its frame, counter-clockwise.
+    /// The chords of each inclusion, in its frame, counter-clockwise.
     std::vector<Polygon> polygons;
 
     int n_seeds() const { return static_cast<int>(inclusion.size()); }
@@ -64,7 +64,7 @@ struct InterfaceSites {
 ///   (3) The polygon of an inclusion has the area of its shape.
 ///
 /// Where seeds would violate law (1), chords become shorter until they do not.
-/// @param spacing  the wanted length of a chord at a point, length units, anywhere in the plane.
+/// @param spacing  the target length of a chord at a point, length units, anywhere in the plane.
 /// @throws InvalidInput naming the line where this never ends, at a corner of some degrees.
 InterfaceSites place_interface_sites(const InclusionSet& set,
                                      const std::function<double(const Vec2&)>& spacing);

@@ -16,7 +16,7 @@ namespace pcvt::plane {
 ///     for (const auto& [place, offset] : tree.within(u, distance)) ...
 ///
 /// Law, tested by number:
-///   (1) within() returns what a loop over all places and offsets would return.
+///   (1) within() returns the same places as a loop over all places and offsets.
 class PlaceTree {
    public:
     /// The place, translated by the offset.

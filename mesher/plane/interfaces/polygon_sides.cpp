@@ -94,7 +94,7 @@ bool PolygonSides::crosses_upwards(int n, const Vec2& p) const {
 }
 
 /// Visits pairs of sides whose boxes, the second one translated, are near, until visit(i, j) is
-/// true; returns whether it was. Of a polygon with itself it visits each pair once, i < j.
+/// true; returns whether it was. For a polygon and itself it visits each pair once, i < j.
 template <class Visit>
 bool PolygonSides::any_pair(const PolygonSides& one, int n, const PolygonSides& other, int m,
                             const Vec2& translation, const Visit& visit) {

@@ -17,7 +17,7 @@ double distance_to_segment(const Vec2& p, const Vec2& from, const Vec2& to);
 ///     const bool is_inside = sides.signed_distance(p) < 0;
 ///
 /// Law, tested by number:
-///   (1) Each query returns what a loop over all sides would return.
+///   (1) Each query returns the same as a loop over all sides.
 class PolygonSides {
    public:
     PolygonSides() = default;

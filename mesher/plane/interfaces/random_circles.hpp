@@ -9,7 +9,7 @@ namespace pcvt::plane {
 
 /// Fibres of equal size in random places.
 struct RandomCircles {
-    /// Of the domain, that all circles cover together: in (0, 1).
+    /// The part of the domain that all circles cover together, in (0, 1).
     double fraction;
     int n;
     /// The least distance between two circles, and between a circle and its images, length units;

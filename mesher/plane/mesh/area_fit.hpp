@@ -18,9 +18,9 @@ struct FittedCells {
     PeriodicMesh cells;
     /// length^2, one a site.
     Eigen::VectorXd weights;
-    /// The largest |area - wish| / wish.
+    /// The largest |area - target| / target.
     double largest_relative_error;
-    /// The pieces of copies of the cells, if areas in a box are wished.
+    /// The pieces of copies of the cells, if the target areas are those in a box.
     std::optional<BoxCut> cut = {};
 };
 

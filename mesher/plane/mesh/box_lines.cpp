@@ -25,7 +25,7 @@ int chain_after(const BoxNode& end, const std::vector<Chain>& chains, const BoxP
     throw InternalError("a cell could not be cut along the box");
 }
 
-/// What an earlier cut did not move is moved within this many snapping distances.
+/// Vertices and edges that an earlier cut left in place move within this many snapping distances.
 constexpr double kFreshSnap = 1.0 / 3;
 
 /// Returns the distance between neighbouring lines of a family.

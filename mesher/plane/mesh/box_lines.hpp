@@ -125,16 +125,17 @@ struct BoxSnaps {
     friend bool operator==(const BoxSnaps&, const BoxSnaps&) = default;
 };
 
-/// What an earlier cut moved is moved again within this many snapping distances.
+/// Vertices and edges that an earlier cut moved are moved again within this many snapping
+/// distances.
 inline constexpr double kHeldSnap = 4.0 / 3;
 
 /// The distances within which vertices and edges are moved onto the lines of a box, length units.
 struct SnapReach {
-    /// Of what an earlier cut did not move.
+    /// Snapping distance of vertices and edges that the earlier cut left in place.
     double fresh;
-    /// Of what it moved.
+    /// Snapping distance of vertices and edges that the earlier cut moved.
     double held;
-    /// Of what stays, up to rounding.
+    /// Snapping distance of vertices that stay where they are, for rounding errors only.
     double still;
 };
 
@@ -167,10 +168,10 @@ class BoxSnapper {
     const BoxSnaps& earlier_;
 };
 
-/// Returns the reach of a cut after an earlier one, of none if `earlier` is empty: what was moved
-/// stays longer, and only what is very near is moved in addition. So cuts and small changes of the
-/// cells, in turn, soon come to rest.
-/// @param least  of what stays.
+/// Returns the reach of a cut after an earlier one; `earlier` is empty for a first cut. Vertices
+/// and edges that the earlier cut moved are moved again from farther away; others only from very
+/// near. So cuts and small changes of the cells, in turn, soon come to rest.
+/// @param least  SnapReach::still.
 SnapReach reach_after(const BoxSnaps& earlier, double snap, double least);
 
 }  // namespace pcvt::plane

@@ -145,8 +145,8 @@ class OriginSearch {
         return positions;
     }
 
-    /// Returns the lines of a family with the longest shortest edge, each taken alone, the best
-    /// first.
+    /// Returns the lines of a family with the longest shortest edge, each without the other family,
+    /// the best first.
     std::vector<CutLine> best_lines(int axis, const std::vector<double>& positions) const {
         std::vector<CutLine> lines;
         for (const double position : positions) lines.push_back({position, {}});
@@ -177,7 +177,7 @@ class OriginSearch {
         for (const CutLine& u_line : u_lines) {
             checkpoint();
             for (const CutLine& v_line : v_lines) {
-                // A pair cannot be better than either of its lines alone.
+                // A pair cannot be better than either of its lines.
                 if (std::min(u_line.shortest, v_line.shortest) <= shortest_) continue;
                 const double shortest = shortest_edge(u_line, v_line);
                 if (shortest <= shortest_) continue;

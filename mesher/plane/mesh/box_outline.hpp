@@ -14,7 +14,7 @@ struct BoxCut {
     PeriodicMesh pieces;
     /// The length of the shortest edge that lies on the cut or ends on it, length units.
     double shortest_edge;
-    /// What was moved.
+    /// The vertices and edges that were moved.
     BoxSnaps snaps;
 };
 
@@ -33,14 +33,16 @@ struct BoxCut {
 ///   (2) A vertex on the left or lower side, corners included, is the representative of its orbit;
 ///       the vertex on the opposite side is its translate.
 ///   (3) The pieces of a cell, each moved back by a lattice vector, make up the cell up to `snap`.
-///   (4) After an earlier cut, what that cut moved is moved again within kHeldSnap snap of the box,
-///       and all else only within snap / 3, so that the same few are moved.
+///   (4) After an earlier cut, the vertices and edges that it moved are moved again within
+///       kHeldSnap snap of the box, and all others only within snap / 3, so that the same few are
+///       moved.
 ///
 /// @param cells   whole cells (`kVoronoi`); they need not be convex.
 /// @param origin  corner of the box, length units.
 /// @param snap    length units; at least kSameVertex h is used. A distance that would tear a cell
 ///                is reduced.
-/// @param earlier what an earlier cut moved, of cells of the same topology, and what does not move.
+/// @param earlier the vertices and edges that an earlier cut of cells of the same topology moved,
+///                and the vertices that stay where they are.
 BoxCut cut_along_box(const PeriodicMesh& cells, const Vec2& origin, double snap = 0,
                      const BoxSnaps& earlier = {});
 

@@ -9,8 +9,8 @@
 
 namespace pcvt::plane {
 
-/// Returns what is wrong with the interfaces of a cell mesh, naming the first chord, edge or
-/// inclusion, or nullopt if these laws, tested by number, hold:
+/// Returns the first fault in the interfaces of a cell mesh, naming the chord, edge or inclusion,
+/// or nullopt if these laws, tested by number, hold:
 ///   (1) Each chord is an edge between the cells of its two seeds, and its ends are the nodes, to
 ///       kSameVertex h.
 ///   (2) All other edges have the same inclusion, or the matrix, on both sides.
@@ -23,13 +23,13 @@ namespace pcvt::plane {
 ///         throw InternalError(*wrong);
 ///
 /// @param cells      of cell_mesh(); its first sites are the seeds.
-/// @param inclusion  of each site; -1 is the matrix. Between walls, of each site of the domain,
-///                   whose cells alone are proved: those behind walls count as matrix.
+/// @param inclusion  of each site; -1 is the matrix. Between walls, of each site of the domain, and
+///                   only these cells are proved: those behind walls count as matrix.
 std::optional<std::string> interface_violation(const PeriodicMesh& cells,
                                                const InterfaceSites& interfaces,
                                                std::span<const int> inclusion);
 
-/// Law (1) alone.
+/// Checks only law (1).
 bool every_chord_is_an_edge(const PeriodicMesh& cells, const std::vector<Chord>& chords);
 
 }  // namespace pcvt::plane

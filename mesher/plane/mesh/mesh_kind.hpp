@@ -13,7 +13,7 @@ namespace pcvt::plane {
 /// triangles inside the cells, which are then called grains.
 enum class MeshKind { kVoronoi, kDelaunay, kGrains };
 
-/// All that is known of a kind without a mesh of it.
+/// The properties of a kind that need no mesh of it.
 ///
 ///   std::string name = mesh_kind_row(tile.kind).word;      // "delaunay"
 ///   if (const auto kind = mesh_kind_of_file_word("cells")) ...

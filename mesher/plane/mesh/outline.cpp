@@ -118,7 +118,7 @@ class Disc {
 };
 
 /// The preferred place of each face, and the distances by which places are compared.
-struct Wishes {
+struct PreferredPlaces {
     Lattice lattice;
     Vec2 centre;                 ///< of the domain, length units
     std::vector<Vec2> centroid;  ///< of each face in its own frame
@@ -129,9 +129,9 @@ struct Wishes {
     }
 };
 
-Wishes wishes_of(const PeriodicMesh& mesh, const Vec2& origin) {
+PreferredPlaces preferred_places(const PeriodicMesh& mesh, const Vec2& origin) {
     const Domain domain(mesh.lattice, origin);
-    Wishes wishes{mesh.lattice, domain.centre(), {}, {}};
+    PreferredPlaces preferred{mesh.lattice, domain.centre(), {}, {}};
     for (int f = 0; f < mesh.n_faces(); ++f) {
         checkpoint_each(f);
         Vec2 sum(0, 0);
@@ -140,10 +140,10 @@ Wishes wishes_of(const PeriodicMesh& mesh, const Vec2& origin) {
                    mesh.lattice.translation(mesh.corner_offset[c]);
         }
         const Vec2 centroid = sum / (mesh.face_begin[f + 1] - mesh.face_begin[f]);
-        wishes.centroid.push_back(centroid);
-        wishes.natural.push_back(domain.offset_into(centroid));
+        preferred.centroid.push_back(centroid);
+        preferred.natural.push_back(domain.offset_into(centroid));
     }
-    return wishes;
+    return preferred;
 }
 
 /// A face that could be placed next. Natural places come first, then places near the centre.
@@ -161,8 +161,10 @@ struct Candidate {
 /// Candidates in order, none of them twice: each neighbour of a face that is placed proposes it.
 class Candidates {
    public:
-    explicit Candidates(const Wishes& wishes)
-        : wishes_(wishes), waits_(wishes.natural.size(), 0), waits_at_(wishes.natural.size()) {}
+    explicit Candidates(const PreferredPlaces& preferred)
+        : preferred_(preferred),
+          waits_(preferred.natural.size(), 0),
+          waits_at_(preferred.natural.size()) {}
 
     bool empty() const { return queue_.empty(); }
     void push(int face, Offset at) {
@@ -172,7 +174,7 @@ class Candidates {
             waits_[face] = 1;
             waits_at_[face] = at;
         }
-        queue_.push({at != wishes_.natural[face], wishes_.distance(face, at), face, at});
+        queue_.push({at != preferred_.natural[face], preferred_.distance(face, at), face, at});
     }
     Candidate pop() {
         const Candidate first = queue_.top();
@@ -182,7 +184,7 @@ class Candidates {
     }
 
    private:
-    const Wishes& wishes_;
+    const PreferredPlaces& preferred_;
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
     /// Whether a candidate of each face is in the queue, and where it would place the face. Another
     /// place of the same face may be in the queue as well.
@@ -190,11 +192,12 @@ class Candidates {
     std::vector<Offset> waits_at_;
 };
 
-int innermost_face(const Wishes& wishes) {
+int innermost_face(const PreferredPlaces& preferred) {
     int best = 0;
-    for (int f = 1; f < static_cast<int>(wishes.natural.size()); ++f) {
+    for (int f = 1; f < static_cast<int>(preferred.natural.size()); ++f) {
         checkpoint_each(f);
-        if (wishes.distance(f, wishes.natural[f]) < wishes.distance(best, wishes.natural[best])) {
+        if (preferred.distance(f, preferred.natural[f]) <
+            preferred.distance(best, preferred.natural[best])) {
             best = f;
         }
     }
@@ -203,8 +206,8 @@ int innermost_face(const Wishes& wishes) {
 
 /// Places every face. A face that would close a ring is postponed until the queue is empty: the
 /// ring encloses faces that are not placed yet, and the innermost of these always fits.
-void grow(const PeriodicMesh& mesh, const Wishes& wishes, Disc& disc) {
-    Candidates queue(wishes);
+void grow(const PeriodicMesh& mesh, const PreferredPlaces& preferred, Disc& disc) {
+    Candidates queue(preferred);
     std::vector<Candidate> put_off;
     int n_placed = 0;
     // Places a face and queues its neighbours.
@@ -219,8 +222,8 @@ void grow(const PeriodicMesh& mesh, const Wishes& wishes, Disc& disc) {
         }
     };
     // Start from the face nearest to the centre.
-    const int first = innermost_face(wishes);
-    place(first, wishes.natural[first]);
+    const int first = innermost_face(preferred);
+    place(first, preferred.natural[first]);
     // Empty the queue, then try the postponed faces again.
     while (n_placed < mesh.n_faces()) {
         const int before = n_placed;
@@ -241,14 +244,14 @@ void grow(const PeriodicMesh& mesh, const Wishes& wishes, Disc& disc) {
 }
 
 /// Moves faces to their natural place if the disc remains a disc.
-void trim(const Wishes& wishes, Disc& disc) {
+void trim(const PreferredPlaces& preferred, Disc& disc) {
     bool moved = true;
     for (int round = 0; moved && round < kTrimRounds; ++round) {
         moved = false;
-        for (int f = 0; f < static_cast<int>(wishes.natural.size()); ++f) {
+        for (int f = 0; f < static_cast<int>(preferred.natural.size()); ++f) {
             checkpoint_each(f);
             const Offset at = disc.placement()[f];
-            const Offset natural = wishes.natural[f];
+            const Offset natural = preferred.natural[f];
             if (at == natural || !disc.can_remove(f)) continue;
             disc.remove(f);
             const bool fits = disc.can_add(f, natural);
@@ -261,10 +264,10 @@ void trim(const Wishes& wishes, Disc& disc) {
 }  // namespace
 
 std::vector<Offset> whole_outline(const PeriodicMesh& mesh, const Vec2& origin) {
-    const Wishes wishes = wishes_of(mesh, origin);
+    const PreferredPlaces preferred = preferred_places(mesh, origin);
     Disc disc(mesh);
-    grow(mesh, wishes, disc);
-    trim(wishes, disc);
+    grow(mesh, preferred, disc);
+    trim(preferred, disc);
     return disc.placement();
 }
 

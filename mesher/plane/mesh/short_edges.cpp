@@ -73,7 +73,7 @@ class Shrinking {
         if (!is_still_.empty() && (is_still_[from.vertex] || is_still_[to.vertex])) return false;
         const std::optional<Pinned> pinned = united(walls_[from.vertex], walls_[to.vertex]);
         const int weight = weight_[from.vertex] + weight_[to.vertex];
-        // The middle of a cell whose site lies in a corner of walls is no corner of the cell.
+        // The middle of a cell whose site lies in a corner of walls cannot be a corner of the cell.
         const bool is_site = weight_[from.vertex] < 0 || weight_[to.vertex] < 0;
         if (!pinned || weight == 0 || is_site) return false;
         Vec2 middle =
@@ -231,9 +231,9 @@ class Shrinking {
     /// The position of each root.
     std::vector<Vec2> position_;
     std::vector<std::vector<int>> corners_at_;
-    /// Of each root.
+    /// The coordinates at which walls hold each root.
     std::vector<Pinned> walls_;
-    /// Of vertices of the mesh; empty: all may move.
+    /// Whether each vertex of the mesh stays where it is; empty: all may move.
     std::vector<bool> is_still_;
     /// The sum of weight_of() over the vertices that were joined to each root.
     std::vector<int> weight_;

@@ -42,7 +42,7 @@ struct TileOptions {
     double grain_size = 0;
     /// The number of parts of each edge of the cells; excludes grain_size. 0: none.
     int grain_per_edge = 0;
-    /// Of grains, as Tile::order.
+    /// The order of the triangles of grains, as Tile::order.
     int order = 1;
     /// The tile covers columns x rows domains and is a tile of that lattice.
     int columns = 1;
@@ -57,13 +57,13 @@ struct TileOptions {
     /// of the domain. Excludes elongation, finds_origin, copies across walls, and an origin off the
     /// walls.
     std::optional<WalledDomain> walled = {};
-    /// Of cells beside interfaces: a tag for each site. Edges with an end where cells of different
+    /// A tag for each site, for cells beside interfaces. Edges with an end where cells of different
     /// tags meet are not removed. Empty: all cells are alike. Excludes weights and walls.
     std::span<const int> site_tags = {};
     /// The sites whose cells are left out. Excludes weights.
     HoleSites holes = {};
-    /// Called now and then with the share that is done, about, from 0 to 1; what it throws ends the
-    /// building.
+    /// Called now and then with the share that is done, about, from 0 to 1; an exception that it
+    /// throws ends the building.
     std::function<void(double)> progress = {};
 };
 

@@ -24,9 +24,9 @@ struct TorusMesh {
     Vec2 corner;
     /// With weights: those by which the cells have their areas again, one a site, length^2.
     Eigen::VectorXd weights = {};
-    /// With weights, of cells: the largest relative error of the areas.
+    /// With weights, the largest relative error of the areas of cells.
     std::optional<double> area_error = {};
-    /// Of a cut mesh: the shortest edge that the cut has made, in units of h.
+    /// The shortest edge that the cut has made, in units of h; nullopt: the mesh is not cut.
     std::optional<double> box_shortest_edge = {};
 
     bool is_cut() const { return box_shortest_edge.has_value(); }

@@ -59,7 +59,7 @@ class WallCut {
     struct Corner {
         int vertex;
         Offset offset;
-        /// On which side of the wall: -1, 0 on it, 1.
+        /// The side of the wall on which the corner lies: -1 or 1, 0 on the wall.
         int side;
     };
 
@@ -70,7 +70,7 @@ class WallCut {
     }
 
     /// Finds on which side of the wall each corner of a cell lies whose site is on the wall. Such
-    /// cells are symmetric, so that rounding errors alone move a corner off the wall.
+    /// cells are symmetric, so that only rounding errors move a corner off the wall.
     /// @returns whether the site lies on a wall.
     bool classify(int f) {
         if (!on_wall(f)) return false;

@@ -90,7 +90,7 @@ std::vector<int> outgoing_halfedges(const TorusTriangulation& t) {
 /// The side between a cell and the cell of `neighbour`.
 struct CellSide {
     SiteId neighbour;
-    /// From the site to the neighbour, and its squared length.
+    /// The vector from the site to the neighbour, and its squared length.
     Vec2 d;
     double squared;
     double foot;

@@ -21,7 +21,7 @@ namespace pcvt::plane {
 ///
 /// The paper's rule needs a start inside of the domain: the Voronoi cell of a site in D_0 meets
 /// D_0, because it contains the site. A power cell may lie beside its site. It never leaves the
-/// Voronoi cell of its site among the images of that site alone, because these have equal weights,
+/// Voronoi cell of its site among only the images of that site, because these have equal weights,
 /// and therefore meets D_0 in one of the nine domains around it. So a site without a piece in D_0
 /// takes the images that its own cell, cut off at these nine domains, requires; from there on the
 /// rule is the paper's.

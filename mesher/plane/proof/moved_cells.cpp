@@ -33,7 +33,7 @@ constexpr double kMostSpreadOfPowerCells = 8;
 struct CellAtCorner {
     SiteId site;
     Offset image;
-    /// From the corner to the site.
+    /// The vector from the corner to the site.
     Vec2 way;
     /// The halfedge at which the cell begins.
     int halfedge;

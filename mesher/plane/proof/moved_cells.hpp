@@ -11,7 +11,7 @@ namespace pcvt::plane {
 struct FaceImages {
     /// For each face, in the basis of the lattice of the sites.
     std::vector<Offset> of_face;
-    /// Whether they follow from the file alone.
+    /// Whether the file determines all of them.
     bool are_clear = true;
 };
 
@@ -21,7 +21,7 @@ struct CornerMoves {
     double removed;
     /// Corners of grains nearer to the box than this lie on it.
     double snap;
-    /// Of a tile with its mirror images: the walls at which cells may be cut.
+    /// The walls at which cells may be cut, if the tile includes its mirror images.
     Walls walls = Walls::kNone;
 };
 

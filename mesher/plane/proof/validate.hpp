@@ -13,7 +13,7 @@ enum class Precision { kDouble, kSingle };
 /// The name of law (1) of prove_tile() in messages.
 inline constexpr const char* kFaceLaw = "(1), faces";
 
-/// The result of prove_tile, derived from positions, faces and the lattice alone.
+/// The result of prove_tile, derived only from positions, faces and the lattice.
 struct TileProof {
     int n_vertices;        ///< distinct vertices of the tile, after merging
     int n_merged;          ///< vertices of the file that fell onto another one
@@ -35,8 +35,8 @@ struct TileProof {
     Precision precision;
 };
 
-/// Proves that `tile` is a tile of its lattice, from positions, faces and lattice alone; the stored
-/// pairs are ignored.
+/// Proves that `tile` is a tile of its lattice, from positions, faces and lattice; the stored pairs
+/// are ignored.
 ///
 /// Example usage:
 ///   const TileProof proof = prove_tile(tile, Precision::kDouble);
@@ -55,10 +55,10 @@ struct TileProof {
 ///   (7) The edges of holes form loops. Each loop has one name and is a simple polygon that does
 ///       not go round the torus.
 ///
-/// Of a tile with holes, an edge may be that of a hole instead of having a partner (2); the faces
+/// In a tile with holes, an edge may be that of a hole instead of having a partner (2); the faces
 /// are connected over edges and the seam (3); V - E + F = -k for k loops (4); the areas of the
 /// faces and of the holes' polygons have the sum (5). Which edges lie at holes is read from
-/// Tile::wall_edges, all else from positions.
+/// Tile::wall_edges, everything else from positions.
 ///
 /// For a tile with walls, laws (2), (4) and (5) are those of the tile together with its mirror
 /// images (validate_walls.hpp), and law (3) is that of the tile. An edge whose partner belongs to
@@ -105,8 +105,8 @@ TileProof prove_cover(const Tile& tile, Precision precision);
 /// corners of that triangle. Elongated cells are proved in their metric (Tile::metric), in which h
 /// is the same.
 ///
-/// Of a tile between walls, a cell whose site lies on a wall consists of a face and its mirror
-/// image; its centroid lies on the wall. So does that of four faces in a corner. The tile must know
+/// In a tile between walls, a cell whose site lies on a wall consists of a face and its mirror
+/// image; its centroid lies on the wall. So does that of four faces in a corner. The tile must have
 /// the positions of its sites.
 ///
 /// A cell is a face or a fan of consecutive triangles that have the same face_site and the same

@@ -12,7 +12,7 @@ namespace pcvt::plane {
 /// Every cell must be convex, every edge must lie on the line of equal power distance of the two
 /// sites, and each cell on its own side of it. The power distance is then a convex function over
 /// the plane, cell by cell, so that the local laws imply the global property. A power cell lies in
-/// the Voronoi cell of its site among the images of that site alone; so the image of the site that
+/// the Voronoi cell of its site among only the images of that site; so the image of the site that
 /// belongs to a face is the nearest to the centroid.
 ///
 /// Example usage:

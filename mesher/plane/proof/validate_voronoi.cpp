@@ -52,7 +52,7 @@ struct WholeCells {
     std::vector<Vec2> centroids;
     /// Whether each face is only a part of its cell.
     std::vector<bool> is_part;
-    /// Of whole cells.
+    /// The number of whole cells, the sum of the parts that the faces are.
     double n_cells = 0;
 };
 

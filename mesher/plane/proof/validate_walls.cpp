@@ -143,7 +143,7 @@ class Mirror {
 
     bool on_wall(const Vec2& p) const { return p[axis_] == 0 || p[axis_] == end_; }
 
-    /// Whether each site lies on the wall, as far as positions tell.
+    /// Whether each site lies on the wall, as far as its position shows.
     std::vector<bool> sites_on_wall(std::size_t n) const {
         std::vector<bool> found(n, false);
         const std::vector<Vec2> positions = site_positions(tile_);

@@ -5,7 +5,7 @@
 
 namespace pcvt::plane {
 
-/// What laws (1) and (2) of prove_tile() give.
+/// The results of laws (1) and (2) of prove_tile().
 struct Gluing {
     TileProof proof{};
     GluedFaces faces;

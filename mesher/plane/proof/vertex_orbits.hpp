@@ -19,7 +19,7 @@ struct VertexOrbits {
     double mismatch = 0;
 };
 
-/// Groups vertices from positions and lattice alone, in O(n log n).
+/// Groups vertices by nothing but positions and lattice, in O(n log n).
 ///
 /// Example usage:
 ///   const VertexOrbits orbits = find_vertex_orbits(tile.lattice, tile.points, 1e-12);

@@ -49,7 +49,7 @@ int default_search_budget(int n);
 ///   std::cout << best.found << ": " << best.energy << "\n";
 ///
 /// Starts are optimised in parallel, in rounds of 8. A round uses only the minima of earlier
-/// rounds, so the result depends on the seed and the budget alone. A start is abandoned once it
+/// rounds, so the result depends only on the seed and the budget. A start is abandoned once it
 /// cannot be expected to end below the minima found so far. If the budget is too small for a
 /// minimisation (less than 50 evaluations per start; with the default budget this holds from 2e5
 /// sites on), only lattices are compared. Laws, tested by number:

@@ -23,7 +23,7 @@ void add_images(const PlaneGroup& group, Density& density) {
     for (const LatticeIsometry& g : group.given_operations()) {
         for (int from = 0; from < 2; ++from) {
             for (int to = 0; to < 2; ++to) {
-                // The coordinate `to` of the image depends on the coordinate `from` alone.
+                // The coordinate `to` of the image depends only on the coordinate `from`.
                 if (g.m[2 * to + from] == 0 || g.m[2 * to + 1 - from] != 0) continue;
                 for (const double at : own[from]) {
                     all[to].push_back(fraction(g.m[2 * to + from] * at + 0.5 * g.halves[to]));

@@ -59,7 +59,7 @@ std::array<int, 2> mirror_direction(const LatticeIsometry& isometry);
 /// `first` after `second`, with the translation wrapped.
 LatticeIsometry composed(const LatticeIsometry& first, const LatticeIsometry& second);
 
-/// A group as options, reports and runs know it.
+/// A group in options, reports and runs.
 struct PlaneGroupRow {
     PlaneGroupName name;
     /// In options and reports.

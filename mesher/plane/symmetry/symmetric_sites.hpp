@@ -18,7 +18,7 @@ struct SiteOrbit {
     int n_sites = 0;
     /// How many directions the representative may move in: 2, 1 along a mirror, 0 at a centre.
     int freedom = 2;
-    /// Of an orbit on mirrors: the direction in which the representative may move, reduced basis.
+    /// The direction in which the representative may move along its mirror, reduced basis.
     std::array<int, 2> along{0, 0};
 };
 
@@ -35,10 +35,10 @@ struct SiteOrbit {
 struct SymmetricSites {
     PlaneGroup group;
     Sites sites;
-    /// Of each site.
+    /// The orbit of each site.
     std::vector<int> orbit;
     std::vector<SiteOrbit> orbits;
-    /// Of each site, for MovingDelaunay::tie_moves: what keeps the orbits.
+    /// One tie a site; MovingDelaunay::tie_moves uses it to keep the orbits exact.
     std::vector<MoveTie> ties;
 };
 

@@ -15,7 +15,7 @@ namespace pcvt::plane {
 ///     const std::string& phase = materials.phase_names[materials.site_phase[0]];
 CellMaterials tag_materials(const Tessellation& tessellation);
 
-/// One entry a tag, also of holes; wanted are the areas of the shapes.
+/// One entry a tag, also of holes; the targets are the areas of the shapes.
 std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation);
 
 }  // namespace pcvt::plane

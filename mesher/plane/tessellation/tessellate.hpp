@@ -50,7 +50,7 @@ Tessellation tessellate(const Lattice& lattice, const WallChoice& walls, Points 
 
 /// Computes n cells of which each lies inside of an inclusion or outside of all, and proves that.
 /// @throws as compute_interface_cvt() does.
-/// @throws InternalError  an outline is no edge of the cells: a fault of pcvt.
+/// @throws InternalError  an outline does not follow edges of the cells: a fault of pcvt.
 Tessellation tessellate(const Lattice& lattice, const WallChoice& walls,
                         const TaggedInclusions& inclusions, int n, std::uint64_t seed,
                         const CvtOptions& options);

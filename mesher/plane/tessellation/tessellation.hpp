@@ -79,7 +79,7 @@ struct Tessellation {
         return elongation ? elongation->lattice : delaunay.sites().lattice();
     }
     int n_sites() const { return walled ? walled->n_sites : delaunay.sites().n_sites(); }
-    /// Of sites; 0 without a symmetry.
+    /// The number of orbits of sites; 0 without a symmetry.
     int n_orbits() const {
         return site_orbits.empty() ? 0
                                    : *std::max_element(site_orbits.begin(), site_orbits.end()) + 1;
@@ -98,7 +98,7 @@ struct Tessellation {
 /// mesh() without the faces in holes, whose sites are numbered as in wrapped_sites().
 PeriodicMesh mesh_outside_holes(const Tessellation& tessellation, MeshKind kind);
 
-/// table() without the cells in holes, which are no neighbours either.
+/// table() without the cells in holes, which do not count as neighbours either.
 CellTable table_outside_holes(const Tessellation& tessellation);
 
 /// Builds a tile, as build_tile() does from a triangulation, with the elongation, the walls, the
@@ -132,8 +132,8 @@ Points wrapped_sites(const Tessellation& tessellation, const Vec2& origin);
 /// Moves points into the Domain at `origin`, but not across walls.
 Points wrapped_points(Points points, const Lattice& lattice, const Vec2& origin, Walls walls);
 
-/// The energy of as many regular hexagons (hexagonal_bound()) in the area of the domain. The cells
-/// of sites on walls count as what lies between the walls.
+/// The energy of as many regular hexagons (hexagonal_bound()) in the area of the domain. Cells
+/// of sites on walls count only with their parts between the walls.
 double energy_bound(const Tessellation& tessellation);
 
 /// Whether the sites are at a minimum of the energy, according to its Hessian; `nullopt` if the run

@@ -33,7 +33,7 @@ struct LaidOut {
     /// Two opposite corners of the domain round which the faces lie.
     Vec2 domain_corner;
     Vec2 opposite_corner;
-    /// Of grains, as Tile::grain_site_points.
+    /// The sites of the cells of grains, as Tile::grain_site_points.
     std::vector<Vec2> grain_site_points = {};
     std::optional<GrainFigures> grains = {};
     /// With walls: the offset at which each face lies between the walls; no offset for the mirror

@@ -29,7 +29,7 @@ struct TileFigures {
     MeshKind kind;
     int n_boundary_edges = 0;
     int n_edge_pairs = 0;
-    /// Of the boundary edges.
+    /// The number of boundary edges on walls.
     int n_wall_edges = 0;
     /// Two opposite corners of the domain round which the tile is laid.
     Vec2 domain_corner = Vec2::Zero();

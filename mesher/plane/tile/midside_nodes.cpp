@@ -9,7 +9,7 @@
 namespace pcvt::plane {
 namespace {
 
-/// An edge of the tile under the name that both of its faces know.
+/// An edge of the tile under the same name from both of its faces.
 struct Edge {
     int low;
     int high;

@@ -6,15 +6,15 @@
 
 namespace pcvt::plane {
 
-/// The nodes in the middle of the edges of a tile: what makes its triangles six-node triangles with
-/// straight sides. They are numbered on from the vertices of the tile.
+/// The nodes in the middle of the edges of a tile, by which its triangles become six-node triangles
+/// with straight sides. They are numbered on from the vertices of the tile.
 ///
 /// Laws, tested by number:
 ///   (1) Each edge of the tile has one node, and the two faces at an edge share it.
 ///   (2) Of the two nodes on an edge of the seam one is the representative, in the middle of its
 ///       edge; the other one is the representative + translation, computed once.
 struct MidsideNodes {
-    /// Node n_vertices() + k stands at points[k], length units.
+    /// points[k] is the position of node n_vertices() + k, length units.
     std::vector<Vec2> points;
     /// For each corner of the tile the node between it and the next corner of its face.
     std::vector<int> of_corner;

@@ -300,7 +300,8 @@ class ArrayBuilder {
             if (!mesh_.is_boundary(h) || !is_paired) continue;
             const HalfedgeHandle partner = checked_partner(h);
             const Offset offset = to_offset(mesh_.property(id_.partner_offset, h));
-            // Of a pair the side whose translation is positive: the other one has the negative.
+            // Take the side of the pair whose translation is positive: the other one has the
+            // negative.
             if (offset < Offset{}) continue;
             arrays_.edge_pairs.push_back({.v0 = mesh_.to_vertex_handle(h).idx(),
                                           .v1 = mesh_.from_vertex_handle(h).idx(),

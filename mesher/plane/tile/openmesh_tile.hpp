@@ -58,7 +58,7 @@ OpenMeshTile openmesh_tile(const Tile& tile);
 /// for tiles whose edge pairs are in the order of make_tile().
 /// @throws InvalidInput with the handle, if the properties contradict each other: a boundary
 ///         halfedge without a partner, or whose partner has another one or another offset; an orbit
-///         that is no vertex or not its own representative; a mesh with deleted elements.
+///         that is not a vertex or not its own representative; a mesh with deleted elements.
 Tile tile(const OpenMeshTile& mesh);
 
 }  // namespace pcvt::plane

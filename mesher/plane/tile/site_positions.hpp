@@ -8,7 +8,7 @@ namespace pcvt::plane {
 
 /// Returns the positions of the sites 0 ... n - 1 of a tile, by which a file proves its site ids:
 /// the image of the site to whose cell the first face with this id belongs, or the first vertex
-/// with this id. Returns an empty list where the tile does not know its sites, their positions, or
+/// with this id. Returns an empty list where the tile does not have its sites, their positions, or
 /// the numbers of its periods.
 ///
 /// Example usage:

@@ -63,7 +63,7 @@ struct WallEdge {
     friend constexpr auto operator<=>(const WallEdge&, const WallEdge&) = default;
 };
 
-/// A tile as plain arrays: what writers take and readers give back.
+/// A tile as plain arrays, which writers take and readers return.
 ///
 /// Offsets are in the basis of `lattice`, the one that the user typed (times the repetition).
 struct Tile {
@@ -86,15 +86,15 @@ struct Tile {
     /// The sides of the domain that are walls, which no offset crosses. The lattice is then upright
     /// (is_upright()), and the walls lie at 0 and at its sides to the last bit.
     Walls walls = Walls::kNone;
-    /// The names of the holes, which several holes may share: where the faces of some cells are
-    /// left out (tile_holes.hpp). Such a tile is no disc, and need not be connected before gluing.
+    /// The names of the holes, where the faces of some cells are left out (tile_holes.hpp); several
+    /// holes may share a name. Such a tile is not a disc, and need not be connected before gluing.
     std::vector<std::string> holes = {};
     /// Every edge on a wall once, sorted.
     std::vector<WallEdge> wall_edges = {};
-    /// Cells of a tile in memory: where the site of each face stands. Files do not hold it.
+    /// Cells of a tile in memory: the position of the site of each face. Files do not hold it.
     std::vector<Vec2> site_points = {};
-    /// Grains of a tile in memory: where the site of the cell lies that each face belongs to, which
-    /// distinguishes a cell from its images. Files do not hold it.
+    /// Grains of a tile in memory: the position of the site of the cell to which each face belongs,
+    /// which distinguishes a cell from its images. Files do not hold it.
     std::vector<Vec2> grain_site_points = {};
     /// The tile covers columns x rows periods of its sites; 0: not known.
     int columns = 0;

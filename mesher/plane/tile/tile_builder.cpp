@@ -130,7 +130,8 @@ class TileBuilder {
             const int w0 = vertex[periodic_.next(across)];
             const int w1 = vertex[across];
             const Offset offset = vertices_[w1].offset - vertices_[v1].offset;
-            // Of a pair the side whose translation is positive: the other one has the negative.
+            // Take the side of the pair whose translation is positive: the other one has the
+            // negative.
             if (offset > Offset{})
                 tile_.edge_pairs.push_back(
                     {.v0 = v0, .v1 = v1, .w0 = w0, .w1 = w1, .offset = offset});

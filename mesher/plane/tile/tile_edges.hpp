@@ -29,7 +29,7 @@ std::vector<TileEdge> tile_edges(const Tile& tile);
 /// vertices that they repeat.
 ///
 /// Example usage:
-///   tile.wall_edges = edges_on_walls(tile);  // of a file that states the walls alone
+///   tile.wall_edges = edges_on_walls(tile);  // of a file that states only the walls
 std::vector<WallEdge> edges_on_walls(const Tile& tile);
 
 }  // namespace pcvt::plane

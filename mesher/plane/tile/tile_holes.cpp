@@ -13,7 +13,7 @@
 namespace pcvt::plane {
 namespace {
 
-/// Of names: those of ASCII.
+/// The number of ASCII characters, of which names consist.
 constexpr std::size_t kCharacters = 128;
 
 class HoleCutter {
@@ -175,7 +175,7 @@ class HoleCutter {
     Tile whole_;
     const HoleSites& holes_;
     Tile tile_{.lattice = Lattice::rectangle(1, 1), .kind = MeshKind::kVoronoi};
-    /// Of each face; -1: it stays.
+    /// The hole in which each face lies; -1: the face stays.
     std::vector<int> hole_;
     /// From one vertex to the next, of the faces that stay; sorted.
     std::vector<std::pair<int, int>> sides_;
@@ -246,7 +246,7 @@ class TorusCutter {
     const PeriodicMesh& whole_;
     const HoleSites& holes_;
     PeriodicMesh mesh_;
-    /// The new numbers, -1 for what is left out.
+    /// The new numbers of sites, vertices and corners; -1: left out.
     std::vector<SiteId> site_;
     std::vector<int> vertex_;
     std::vector<int> corner_;

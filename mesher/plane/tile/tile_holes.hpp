@@ -10,8 +10,8 @@
 namespace pcvt::plane {
 
 /// Leaves the faces of some sites out of a tile, whose edges become walls with the names of the
-/// holes; the edge of a hole that lies across the seam is one wall on both sides of it. Of Delaunay
-/// triangles it leaves out each one with a corner at such a site.
+/// holes; the edge of a hole that lies across the seam is one wall on both sides of it. Delaunay
+/// triangles are left out if they have a corner at such a site.
 ///
 /// Example usage:
 ///   Tile tile = with_holes(std::move(built.tile), {.names = {"fibre"}, .of_site = of_site});
@@ -35,7 +35,7 @@ PeriodicMesh with_holes(PeriodicMesh mesh, const HoleSites& holes);
 std::vector<double> holes_as_numbers(const Tile& tile);
 
 /// Adds the holes of such a list to a tile without holes, which has its vertices.
-/// @throws InvalidInput if the list is no such list.
+/// @throws InvalidInput if the list does not have that form.
 void take_holes(std::span<const double> numbers, Tile& tile);
 
 }  // namespace pcvt::plane

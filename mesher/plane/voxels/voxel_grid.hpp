@@ -27,7 +27,7 @@ struct VoxelGrid {
     Vec2 size;
     VoxelCounts counts;
 
-    /// Of one layer.
+    /// The number of voxels of one layer.
     std::size_t n_voxels() const { return static_cast<std::size_t>(counts.x) * counts.y; }
     /// The sides of a voxel.
     Vec2 spacing() const { return {size.x() / counts.x, size.y() / counts.y}; }

@@ -11,7 +11,7 @@ namespace pcvt::plane {
 /// The cells of a torus as an image: the site of each voxel of one layer, which all layers repeat.
 struct VoxelImage {
     VoxelGrid grid;
-    /// Of voxel (k, l): site[l counts.x + k].
+    /// The site of voxel (k, l) is site[l counts.x + k].
     std::vector<SiteId> site;
 };
 

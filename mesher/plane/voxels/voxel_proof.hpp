@@ -6,7 +6,7 @@ namespace pcvt::plane {
 
 /// The sites whose cells an image shows.
 struct VoxelCells {
-    /// Of the sites: one period, in the plane of the image.
+    /// The period vectors of the sites, in the plane of the image.
     Lattice lattice;
     /// 2 x n, length units; need not be wrapped.
     Points sites;
@@ -30,7 +30,7 @@ struct VoxelProof {
 /// because positions are rounded in files.
 inline constexpr double kVoxelTolerance = 1e-9;
 
-/// Proves the image from the positions of the sites alone, in doubles, without a triangulation:
+/// Proves the image from only the positions of the sites, in doubles, without a triangulation:
 ///   (1) Each voxel names a site from 0 to n - 1.
 ///   (2) The centre of each voxel lies in the cell of the site that it names.
 ///   (3) The periods of the grid are translations of the lattice of the sites.
@@ -47,7 +47,7 @@ VoxelProof prove_voxels(const VoxelImage& image, const VoxelCells& cells);
 /// @pre law (1).
 std::vector<SiteId> unseen_cells(const VoxelImage& image, int n_cells);
 
-/// Law (1) alone.
+/// Checks only law (1).
 /// @throws NotATile
 void require_voxel_ids(const VoxelImage& image, int n_cells);
 

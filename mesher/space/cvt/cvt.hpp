@@ -6,7 +6,7 @@
 namespace pcvt::space {
 
 struct CvtOptions {
-    /// In space the objective has no Hessian, so kNewton and kLbfgs both run L-BFGS alone.
+    /// In space the objective has no Hessian, so L-BFGS runs to the end for kNewton as for kLbfgs.
     RunOptions run = {};
 };
 

@@ -236,7 +236,7 @@ void GrowingOrbits::remove_cavity() {
 /// Adds the cells of the star, and collects their sides.
 void GrowingOrbits::add_star() {
     for (const StarFacet& facet : star_) {
-        // Of the translates in which the new site is another corner, keep one.
+        // Keep one of the translates in which the new site is another corner.
         const bool is_first = std::all_of(facet.begin(), facet.end(), [&](const Corner& c) {
             return c.site != new_number_ || Offset{} < c.offset;
         });

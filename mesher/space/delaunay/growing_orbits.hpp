@@ -57,7 +57,7 @@ class GrowingOrbits {
     struct Cell {
         std::array<SiteId, 4> site;
         std::array<int, 4> opposite;
-        /// Of the corners, in the frame of the cell.
+        /// The offset of each corner, in the frame of the cell.
         std::array<Step, 4> corner;
         /// The offset to add when changing from the frame of the cell across a facet to this one.
         std::array<Step, 4> frame;

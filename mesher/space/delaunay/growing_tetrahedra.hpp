@@ -58,7 +58,7 @@ class GrowingTetrahedra {
         int cell;
     };
     using Corners = std::array<Displacement, 4>;
-    /// What is known of a cell at the present insertion.
+    /// Whether a cell lies in the cavity of the present insertion, as far as that is known.
     enum class Side : std::uint8_t { kUnknown, kInside, kOutside };
 
     Displacement from_new_site(SiteId site) const;

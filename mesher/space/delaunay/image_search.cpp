@@ -12,7 +12,7 @@ namespace {
 constexpr int kSitesPerLeaf = 4;
 /// Distances of balls are rounded.
 constexpr double kBallRounding = 1 + 1e-9;
-/// Of each site, images up to this many periods from the nearest one.
+/// The search covers the images of each site up to this many periods from the nearest one.
 constexpr int kBeside = 2;
 
 }  // namespace
@@ -20,7 +20,7 @@ constexpr int kBeside = 2;
 struct ImageSearch::Query {
     const Vec3& point;
     const Admits& admits;
-    /// Of the nearest image so far, or the square of the radius.
+    /// The squared distance of the nearest image so far, or the square of the radius.
     double least;
     Corner found{-1, {}};
 };
@@ -66,7 +66,7 @@ int ImageSearch::add_node(int first, int last) {
     return n;
 }
 
-/// The offset nearest to a displacement. Of a Minkowski-reduced basis, an offset is the nearest one
+/// The offset nearest to a displacement. In a Minkowski-reduced basis, an offset is the nearest one
 /// if none of its 26 neighbours is nearer (P. Nguyen, D. Stehle 2009).
 Offset ImageSearch::nearest_offset(const Vec3& displacement) const {
     const Vec3 whole = displacement.array().round();

@@ -8,7 +8,7 @@
 namespace pcvt::space {
 
 /// All images of the sites of a torus, for queries by distance. The sites are in a tree of balls;
-/// each ball stands for all of its images, so that a query takes time of order log n for sites that
+/// each ball represents all of its images, so that a query takes time of order log n for sites that
 /// are spread in any way, also where it reaches over thousands of periods.
 ///
 /// Example usage:
@@ -30,8 +30,8 @@ class ImageSearch {
     double spacing() const { return spacing_; }
 
     /// The image nearest to a point among the admitted ones within `radius` of it (unit of the Gram
-    /// matrix); of equally near ones always the same. Its site is -1 if there is none. Of each site
-    /// the images within two periods of its nearest one are considered.
+    /// matrix); of equally near ones always the same. Its site is -1 if there is none. The search
+    /// considers the images of each site within two periods of its nearest one.
     /// @param point  coordinates of the reduced basis.
     Corner nearest(const Vec3& point, double radius, const Admits& admits) const;
 

@@ -32,7 +32,7 @@ MirrorDiagram mirror_diagram(const Sites& sites);
 /// The slow reference method: triangulates all 5 x 5 x 5 copies of the sites.
 MirrorDiagram full_copies_diagram(const Sites& sites);
 
-/// The Euclidean Delaunay triangulation of the n sites alone, by the same predicates: the reference
+/// The Euclidean Delaunay triangulation of only the n sites, by the same predicates: the reference
 /// for the cost of the mirrors.
 /// @returns the number of its tetrahedra.
 std::size_t euclidean_tetrahedra(const Sites& sites);

@@ -101,14 +101,14 @@ int in_sphere(const Gram& gram, const Image& p, const Image& q, const Image& r, 
 
 /// The same with ties broken by one rule for all images: a sphere is thought to lie a little off
 /// its points, the more the greater a point is in the lexicographic order of coordinates (O.
-/// Devillers and M. Teillaud 2011). Of any number of cospherical images exactly one triangulation
+/// Devillers and M. Teillaud 2011). For any number of cospherical images exactly one triangulation
 /// by tetrahedra of positive volume satisfies the rule, and translations of it by the lattice do
 /// too.
 bool violates_delaunay(const Gram& gram, const Image& p, const Image& q, const Image& r,
                        const Image& s, const Image& t);
 
-/// Of coplanar images, p, q and r not collinear: returns +1 if t lies inside of the circle through
-/// the others, -1 if outside, 0 if on it. Always exact arithmetic.
+/// For coplanar images with p, q and r not collinear, returns +1 if t lies inside of the circle
+/// through the others, -1 if outside, 0 if on it. Always exact arithmetic.
 int in_coplanar_circle(const Gram& gram, const Image& p, const Image& q, const Image& r,
                        const Image& t);
 

@@ -125,7 +125,8 @@ void TetrahedraFlips::note_exchanged(const std::vector<Tetrahedron>& removed,
     }
 }
 
-/// Of five points, a facet between new tetrahedra is locally Delaunay because the old one was not.
+/// A facet between the new tetrahedra of five points is locally Delaunay because the old one was
+/// not.
 bool TetrahedraFlips::replace(const std::vector<TorusTetrahedra::Placed>& old,
                               const std::vector<Tetrahedron>& fresh,
                               std::initializer_list<int> suspects) {

@@ -137,8 +137,8 @@ std::array<Corner, 3> TorusTetrahedra::facet(int f) const {
 Offset TorusTetrahedra::frame_across(int f) const {
     const int o = opposite_[f];
     if (offsets_[f / 4].all_zero() && offsets_[o / 4].all_zero()) return {};
-    // The neighbour has the facet in reversed order and begins at any of its corners; sites alone
-    // do not show at which, but offsets do.
+    // The neighbour has the facet in reversed order and begins at any of its corners; only the
+    // offsets show at which, not the sites.
     const auto here = facet(f);
     const auto there = facet(o);
     for (int k = 0; k < 3; ++k) {
@@ -159,7 +159,7 @@ std::vector<int> TorusTetrahedra::replace(const std::vector<Placed>& old,
     for (const Placed& placed : old) numbers.push_back(placed.number);
     std::sort(numbers.begin(), numbers.end());
     if (std::adjacent_find(numbers.begin(), numbers.end()) != numbers.end()) return {};
-    // Find the outer facets, and what is beyond them.
+    // Find the outer facets, with their numbers.
     std::vector<OpenFacet> outer;
     for (const Placed& placed : old) {
         for (int k = 0; k < 4; ++k) {

@@ -122,11 +122,11 @@ class TorusTetrahedra {
         opposite_[f] = o;
         opposite_[o] = f;
     }
-    /// Links the facets of new tetrahedra, with these numbers, to each other and to what lies
+    /// Links the facets of new tetrahedra, with these numbers, to each other and to the facets
     /// beyond the outer facets of the old ones.
     void link_fresh(const std::vector<Tetrahedron>& fresh, const std::vector<int>& numbers,
                     std::vector<OpenFacet> outer);
-    /// Moves the last tetrahedra to the numbers from n_fresh on, and lists what they are now.
+    /// Moves the last tetrahedra to the numbers from n_fresh on, and notes their new numbers.
     void close_gaps(std::vector<int>& numbers, std::size_t n_fresh);
     void move_last_to(int t);
 

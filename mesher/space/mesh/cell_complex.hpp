@@ -26,7 +26,7 @@ struct CellFace {
 /// The Voronoi diagram of the 3-torus: vertices and faces once for all their images.
 ///
 /// Corners of cells within 1e-9 h of each other, h the mean spacing of the sites, are one vertex,
-/// so that the cells of lattices (cospherical sites) have the faces of their polyhedra alone.
+/// so that the cells of lattices (cospherical sites) have only the faces of their polyhedra.
 ///
 /// Example usage:
 ///     const CellComplex complex = cell_complex(sites, tetrahedra);

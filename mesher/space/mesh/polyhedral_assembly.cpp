@@ -43,7 +43,7 @@ struct InnerFace {
     friend auto operator<=>(const InnerFace&, const InnerFace&) = default;
 };
 
-/// Adds the inner faces, and after them those of one cell alone, in one patch.
+/// Adds the inner faces, and after them those that belong to only one cell, in one patch.
 void add_faces(const PolyhedronList& cells, PolyhedralMesh& mesh) {
     const std::vector<ListedFace> listed = sorted_faces(cells);
     std::vector<InnerFace> inner;

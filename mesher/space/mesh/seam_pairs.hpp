@@ -18,8 +18,8 @@ struct FacePair {
     int start;
 };
 
-/// Finds the pairs of boundary faces from positions and period vectors alone, sorted by first
-/// faces; each pair occurs once, from the side with the positive offset.
+/// Finds the pairs of boundary faces from only positions and period vectors, sorted by first faces;
+/// each pair occurs once, from the side with the positive offset.
 ///
 /// Example usage:
 ///     for (const FacePair& pair : seam_pairs(mesh, 1e-15)) glue(pair.first, pair.second);

@@ -65,8 +65,8 @@ class ShrinkingComplex {
         for (const CellBody& body : cell_bodies(complex)) volumes_.push_back(body.volume);
     }
 
-    /// Removes what may be removed of the edges that are short now.
-    /// @returns whether it was anything.
+    /// Removes those of the edges that are short now that may be removed.
+    /// @returns whether it has removed an edge.
     bool remove_edges() {
         bool any = false;
         long n_seen = 0;
@@ -248,9 +248,9 @@ class ShrinkingComplex {
     /// A face that has vanished has no corners.
     std::vector<Corners> faces_;
     std::vector<std::vector<Use>> uses_;
-    /// Of each vertex.
+    /// The cells round each vertex.
     std::vector<std::vector<SiteId>> cells_;
-    /// Of the cells of the diagram.
+    /// The volumes of the cells of the diagram.
     std::vector<double> volumes_;
 };
 

@@ -12,8 +12,8 @@ struct PolyhedralProof {
     /// The number of translations of the seam, counted once for both directions.
     int n_translations = 0;
     double volume = 0;
-    /// Of positions, and the largest distance of a point from its representative plus the
-    /// translation, in one coordinate; length units.
+    /// The tolerance of positions, and the largest distance of a point from its representative plus
+    /// the translation, in one coordinate; length units.
     double tolerance = 0;
     double mismatch = 0;
     /// Whether each edge of the boundary belongs to two boundary faces, and the boundary faces at
@@ -21,7 +21,7 @@ struct PolyhedralProof {
     bool boundary_is_manifold = false;
 };
 
-/// Proves the laws of PolyhedralMesh from positions and period vectors alone: the pairs of boundary
+/// Proves the laws of PolyhedralMesh from only positions and period vectors: the pairs of boundary
 /// faces are found again from their positions and then compared with the patches. Positions may
 /// differ by 4 double ulps of the largest coordinate.
 ///

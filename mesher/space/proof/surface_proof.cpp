@@ -21,7 +21,7 @@ namespace {
 constexpr const char* kFaces = "(1), points and faces";
 constexpr const char* kManifold = "(2), a closed manifold";
 constexpr const char* kPairs = "(3), pairs of faces";
-/// Of the volume; summation of 10^7 faces rounds by less.
+/// The largest relative error of the volume; summation of 10^7 faces rounds by less.
 constexpr double kEnclosedError = 1e-10;
 
 std::string face_name(int f) { return "face " + std::to_string(f); }

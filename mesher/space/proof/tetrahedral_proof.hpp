@@ -25,7 +25,7 @@ struct TetrahedralProof {
     int n_sites = 0;
     int n_edges = 0;      ///< after gluing
     int n_triangles = 0;  ///< after gluing
-    /// Of the boundary; each pair once, from the side with the positive offset.
+    /// The pairs of boundary triangles, each once, from the side with the positive offset.
     std::vector<TrianglePair> pairs = {};
     double volume = 0;           ///< length^3
     double smallest_volume = 0;  ///< of a tetrahedron, length^3

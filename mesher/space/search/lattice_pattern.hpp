@@ -64,9 +64,9 @@ struct LatticePattern {
 ///         are dependent.
 LatticePattern lattice_pattern(const Eigen::Matrix3d& period, const HermiteForm& form);
 
-/// Returns the lattice of index n that has the lowest energy. Of lattices whose energies agree to a
-/// relative 1e-12 it returns the one with the smallest form. Cost: one evaluation for each of the
-/// sum of d f^2 lattices, about n^2.
+/// Returns the lattice of index n that has the lowest energy. If energies agree to a relative
+/// 1e-12, it returns the lattice with the smallest form. Cost: one evaluation for each of the sum
+/// of d f^2 lattices, about n^2.
 /// @throws InvalidInput if n < 1 or the period vectors are dependent.
 /// @throws LimitExceeded if there are more than 10^9 lattices.
 LatticePattern best_lattice(const Eigen::Matrix3d& period, int n);

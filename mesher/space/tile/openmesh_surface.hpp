@@ -32,7 +32,7 @@ struct OpenMeshSurface {
     /// The cell behind a face.
     OpenMesh::FPropHandleT<int> cell;
     OpenMesh::MPropHandleT<std::vector<double>> lattice;
-    /// Of all cells, in their order; empty if they are not stated.
+    /// The sites of all cells, in their order; empty if they are not stated.
     OpenMesh::MPropHandleT<std::vector<double>> sites;
 };
 

@@ -159,8 +159,8 @@ function dimensionOf(fields) {
 }
 
 /**
- * Makes the module call progress(state). Returns an object whose `fault` is what progress() threw: an exception
- * must not pass through the module, so it ends the run as `false` does.
+ * Makes the module call progress(state). Returns an object whose `fault` is the exception of
+ * progress(), which must not pass through the module and therefore ends the run as `false` does.
  */
 function watch(module, progress) {
     const seen = {};

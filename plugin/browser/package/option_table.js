@@ -41,7 +41,7 @@ const choice = (field, numbersOfWords) => (name, value) => {
     return { field, value: numbersOfWords[value] };
 };
 
-/** @param form  the numbers in words; where there may be several counts of them, what the option takes. */
+/** @param form  the numbers in words; where there may be several counts of them, the forms that the option takes. */
 const numbers = (field, counts, form) => (name, value) => {
     const list = Float64Array.from(value);
     if (counts && !counts.includes(list.length)) {

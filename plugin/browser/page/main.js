@@ -10,7 +10,7 @@ const FORMATS = [
 ];
 /** The formats whose files have colours. */
 const COLOURED = ['obj', 'glb', 'gltf', 'ply', 'svg', 'png', 'html'];
-/** Above this number of sites the tile is shown on request alone. */
+/** Above this number of sites the tile is shown only on request. */
 const MOST_SITES_AT_ONCE = 20000;
 /** Between two runs while a period vector is dragged, in milliseconds. */
 const DRAG_PAUSE = 60;

@@ -14,9 +14,9 @@ namespace {
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
-/// What the colour-blind see, on linear RGB: G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, A
-/// physiologically-based model for simulation of color vision deficiency, IEEE TVCG 15 (2009),
-/// severity 1.
+/// The colours that the colour-blind see, on linear RGB: G. M. Machado, M. M. Oliveira, L. A. F.
+/// Fernandes, A physiologically-based model for simulation of color vision deficiency, IEEE TVCG 15
+/// (2009), severity 1.
 constexpr Matrix kNormal{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 constexpr Matrix kProtanopia{{{0.152286, 1.052583, -0.204868},
                               {0.114503, 0.786281, 0.099216},
@@ -90,7 +90,7 @@ double contrast(Colour colour, Colour other) {
 }
 
 TEST(Palette, EveryEyeTellsTheNumbersOfSidesApart) {
-    // Twenty is plain at a glance; two is the least that anyone can tell.
+    // Twenty is plain at a glance; two is the least difference that anyone sees.
     for (const Matrix& eye : {kNormal, kProtanopia, kDeuteranopia, kTritanopia}) {
         for (int sides = 3; sides <= 9; ++sides) {
             for (int other = 3; other < sides; ++other) {

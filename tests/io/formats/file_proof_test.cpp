@@ -138,7 +138,7 @@ TEST(FileProof, NearlyCocircularSitesAreProvedInEveryFormat) {
     }
 }
 
-/// A tile that knows where its sites lie.
+/// A tile with the positions of its sites.
 plane::Tile placed_cells(const plane::Lattice& lattice, int n) {
     return build_tile(plane::PeriodicDelaunay(plane::Sites(lattice, uniform_points(lattice, n, 5))),
                       {})

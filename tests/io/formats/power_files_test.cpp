@@ -147,7 +147,8 @@ TEST(PowerFiles, AWeightThatIsOffByAHundredThousandthIsRefused) {
          {CellShape{"power", "lognormal:0.7"}, testing::cell_shapes()[2]}) {
         const plane::Tile tile = testing::power_tile(kOblique, kSites, 2, shape);
         for (int s = 0; s < kSites; ++s) {
-            // Of the weight itself, too, unless it is small compared with h^2.
+            // The steps are also relative to the weight itself, unless it is small compared with
+            // h^2.
             const double weight = tile.site_weights[s];
             const bool is_large = std::abs(weight) > squared / 2;
             const double scale = is_large ? weight : squared;

@@ -146,7 +146,7 @@ TEST(Turns, ASetWhoseRunDiedMeanwhileIsRecoveredFirst) {
     EXPECT_THAT(folder.names(), ElementsAre("a", "out"));
 }
 
-/// Commits a set of files, all with one content, whatever else is committed at the same time.
+/// Commits a set of files, all with one content, while other sets are committed.
 void write(const TemporaryFolder& folder, std::vector<std::string> names, const std::string& run) {
     recover_unfinished({folder / "x"});
     OutputSet set;
@@ -162,7 +162,7 @@ TEST(Threads, TheFilesOfSeveralThreadsAreThoseOfOneSet) {
         for (int k = 0; k < kThreads; ++k) {
             threads.emplace_back([&, k] {
                 std::vector<std::string> mine = names;
-                // No two sets may wait for each other, in whatever order they name their files.
+                // No two sets may wait for each other, in any order of their files.
                 if (k % 2 == 1) std::reverse(mine.begin(), mine.end());
                 write(folder, mine, std::to_string(k));
                 write(folder, mine, std::to_string(k));

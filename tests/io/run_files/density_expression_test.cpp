@@ -34,7 +34,7 @@ TEST(DensityExpression, KnowsItsVariablesFunctionsAndConstants) {
 }
 
 TEST(DensityExpression, CallsThePortableFunctions) {
-    // Among so many values some differ in the last digit from those of another library.
+    // Some of the 400 values of a function differ in the last digit from those of another library.
     const auto expect = [](const std::string& name, double (*function)(double), double low) {
         for (int k = 0; k < 400; ++k) {
             const double x = low + k / 450.0;

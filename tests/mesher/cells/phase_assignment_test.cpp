@@ -34,7 +34,7 @@ CellTable cells_of(const std::string& law, const Lattice& lattice, int n, std::u
     return cell_table(cell_mesh(compute_area_cvt(lattice, points, options).delaunay));
 }
 
-/// The largest difference of a phase's area from its wish.
+/// The largest difference of a phase's area from its target.
 double error_of(const CellTable& cells, const std::vector<int>& phase, const Fractions& fractions) {
     const double total = std::accumulate(cells.measure.begin(), cells.measure.end(), 0.0);
     const std::vector<double> shares = phase_shares(cells, phase, fractions.size());

@@ -53,7 +53,7 @@ TEST(TargetAreas, AreScaledToTheDomain) {
     EXPECT_NEAR(areas[1] / areas[0], 1.5, 1e-14);
 }
 
-TEST(TargetAreas, ImpossibleWishesAreRefusedInOneLine) {
+TEST(TargetAreas, ImpossibleTargetsAreRefusedInOneLine) {
     Eigen::VectorXd given = Eigen::VectorXd::Ones(3);
     const auto scaled = [&] { scaled_areas(given, 3, 1); };
     for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),

@@ -29,9 +29,9 @@ void expect_gradients_over_twice_the_masses(Eigen::Index numbers) {
             largest = std::max(largest, residual);
             sum += residual * residual;
         }
-        Workers alone(1);
+        Workers one(1);
         Workers three(3);
-        const Residuals found = residuals(gradient, mass, kSpacing, alone);
+        const Residuals found = residuals(gradient, mass, kSpacing, one);
         EXPECT_NEAR(found.largest / largest, 1, 1e-14) << n;
         EXPECT_NEAR(found.rms / std::sqrt(sum / double(n)), 1, 1e-13) << n;
         const Residuals again = residuals(gradient, mass, kSpacing, three);

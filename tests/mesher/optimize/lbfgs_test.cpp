@@ -118,9 +118,9 @@ void expect_stops(const Minimize& minimize) {
     const auto nowhere = [](const VectorXd&, Evaluation&) { return false; };
     PlainObjective undefined = bowl_from(start, nowhere);
     EXPECT_EQ(minimize(undefined, options(0.1, 10)).run.stop, Stop::kStalled);
-    PlainObjective alone = bowl_from(
+    PlainObjective at_start_only = bowl_from(
         start, [&](const VectorXd& x, Evaluation& e) { return bowl(x, e) && x == start; });
-    EXPECT_EQ(minimize(alone, options(0.1, 10)).run.stop, Stop::kStalled);
+    EXPECT_EQ(minimize(at_start_only, options(0.1, 10)).run.stop, Stop::kStalled);
 }
 
 TEST(Lbfgs, ReportsWhyItEnded) { expect_stops(lbfgs); }

@@ -124,10 +124,10 @@ TEST(Newton, StepsBackFromWhereTheFunctionIsNotDefined) {
     const VectorXd start = VectorXd::Constant(6, -3);
     PlainObjective objective(walled, start, 1);
     EXPECT_EQ(newton(objective, options(1e-9, 20)).run.stop, Stop::kConverged);
-    PlainObjective alone([&](const VectorXd& x, Evaluation& e) { return bowl(x, e) && x == start; },
-                         start, 1);
-    EXPECT_EQ(newton(alone, options(1e-9, 20)).run.stop, Stop::kStalled);
-    EXPECT_EQ(alone.point(), start);
+    PlainObjective at_start_only(
+        [&](const VectorXd& x, Evaluation& e) { return bowl(x, e) && x == start; }, start, 1);
+    EXPECT_EQ(newton(at_start_only, options(1e-9, 20)).run.stop, Stop::kStalled);
+    EXPECT_EQ(at_start_only.point(), start);
 }
 
 TEST(Newton, ReportsWhyItEnded) {

@@ -167,7 +167,7 @@ static void values_out_of_range_are_refused(void) {
     REFUSED(&options, PCVT_ERROR_MEMORY, "more than 10000 periods in a row");
 }
 
-/* Each field of pcvt_options alone, with values that no run has. */
+/* One field of pcvt_options at a time, with values that no run has. */
 static void every_field_is_checked(void) {
 #define FIELD_REFUSED(field, value, words)             \
     do {                                               \

@@ -12,7 +12,7 @@ static int some_density(const double* points, size_t n_points, double* values, v
     return 0;
 }
 
-/* Each field alone, with a value that runs in the plane have. The message begins with its name. */
+/* One field at a time, with a value that runs in the plane have. Its name begins the message. */
 static void each_field_of_the_plane_is_refused_by_its_name(void) {
 #define PLANE_FIELD(field, name, value)                                \
     do {                                                               \

@@ -15,7 +15,7 @@ const { Plot } = await load('plot.js');
 const { Runs } = await load('run.js');
 const { commandOf, hashOf, readOptions } = await load('fields.js');
 
-/** Plots levels of so many iterations each, the last of which is the run; returns the picture. */
+/** Plots levels with these numbers of iterations, the last of which is the run; returns the picture. */
 function plotted(levels) {
     const svg = {}, plot = new Plot(svg), n = levels.reduce((sum, level) => sum + level, 0);
     let done = 0;
@@ -46,7 +46,7 @@ function checkPlot() {
     }
 }
 
-/** A page that notes what it sees, and runs whose ends the test chooses. */
+/** A page that records its events, and runs whose ends the test chooses. */
 function watchedRuns() {
     const seen = [], calls = [];
     const mesh = (options) => new Promise((finish, fail) => {
@@ -60,7 +60,7 @@ function watchedRuns() {
         failed: (error) => seen.push(`failed ${error.message}`),
     });
     const settle = () => new Promise((resolve) => { setTimeout(resolve); });
-    /** Lets a run report sites, and cancels it if it is not wanted. */
+    /** Lets a run report sites, and cancels it if progress() returns false. */
     const report = async (k, sites) => {
         const wanted = calls[k].options.progress({ sites: Float64Array.from(sites) });
         if (wanted === false) calls[k].fail(new Error('cancelled'));
@@ -89,7 +89,7 @@ async function checkStopAndGoOn() {
     assert.deepStrictEqual(seen, ['progress', 'stopped result 1', 'free result 1', 'ended result 2']);
 }
 
-/** A run that is replaced shows nothing any more, in whatever state it is. */
+/** A run that is replaced no longer shows anything, in any state. */
 async function checkReplacement() {
     for (const replace of ['running', 'stopping', 'evaluated']) {
         const { seen, calls, runs, settle, report } = watchedRuns();

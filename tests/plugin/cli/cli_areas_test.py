@@ -23,9 +23,9 @@ class AreaTest(CliTest):
     def areas(self, name):
         return [float(row["area"]) for row in self.table(name)]
 
-    def assert_proportional(self, areas, wished, tolerance):
-        for area, wish in zip(areas, wished, strict=True):
-            self.assertAlmostEqual(area / sum(areas) * sum(wished) / wish, 1, delta=tolerance)
+    def assert_proportional(self, areas, targets, tolerance):
+        for area, target in zip(areas, targets, strict=True):
+            self.assertAlmostEqual(area / sum(areas) * sum(targets) / target, 1, delta=tolerance)
 
 
 class PrescribedAreas(AreaTest):
@@ -66,20 +66,20 @@ class PrescribedAreas(AreaTest):
         self.assertLessEqual(report["areas"]["largest_relative_error"], 1e-10)
 
     def test_a_file_gives_each_site_its_area_or_its_diameter(self):
-        wished = [1 + (7 * k) % 12 for k in range(12)]
-        self.write("a.txt", "# areas\r\n\r\n" + "".join(f"\t{a}  # one\r\n" for a in wished))
-        self.write("d.txt", "diameter\n" + "\n".join(str(math.sqrt(a)) for a in wished))
+        targets = [1 + (7 * k) % 12 for k in range(12)]
+        self.write("a.txt", "# areas\r\n\r\n" + "".join(f"\t{a}  # one\r\n" for a in targets))
+        self.write("d.txt", "diameter\n" + "\n".join(str(math.sqrt(a)) for a in targets))
         for name in ("a.txt", "d.txt"):
             report = self.report("--sites", 12, *OBLIQUE, "--areas", name, "--max-iterations", 1, "-o", "t.csv")
             self.assertEqual(report["areas"]["law"], name)
             areas = self.areas("t.csv")
-            self.assert_proportional(areas, wished, 1e-9)
+            self.assert_proportional(areas, targets, 1e-9)
             self.assertAlmostEqual(sum(areas), 0.81, delta=1e-12)
 
     def test_summary_and_report_state_the_factor_of_given_areas(self):
-        wished = [13.78, 20, 31.5, 34.72]
-        self.write("a.txt", "\n".join(map(str, wished)))
-        self.write("d.txt", "diameter\n" + "\n".join(str(math.sqrt(4 * a / math.pi)) for a in wished))
+        targets = [13.78, 20, 31.5, 34.72]
+        self.write("a.txt", "\n".join(map(str, targets)))
+        self.write("d.txt", "diameter\n" + "\n".join(str(math.sqrt(4 * a / math.pi)) for a in targets))
         run = ("mesh", "--sites", 4, "--max-iterations", 0, "--report", "r.json", "--force", "-o", "t.csv")
         for name in ("a.txt", "d.txt"):
             out = self.succeed(*run, "--period", "7,7", "--areas", name)
@@ -90,15 +90,15 @@ class PrescribedAreas(AreaTest):
         self.assertNotIn("scale", json.loads(self.path("r.json").read_text())["areas"])
 
     def test_an_automatic_period_has_the_sum_of_the_areas(self):
-        wished = [13.78, 20, 31.5, 34.72]
-        self.write("a.txt", "\n".join(map(str, wished)))
+        targets = [13.78, 20, 31.5, 34.72]
+        self.write("a.txt", "\n".join(map(str, targets)))
         self.write("d.txt", "diameter\n2\n4\n6\n8")
         run = ("mesh", "--sites", 4, "--max-iterations", 0, "--report", "r.json", "--force", "-o", "t.csv", "--period", "auto")
         out = self.succeed(*run, "--areas", "a.txt")
         self.assertIn("lattice    (10, 0) (0, 10)\n", out)
         self.assertIn("a.txt (each area times 1)", out)
-        for area, wish in zip(self.areas("t.csv"), wished, strict=True):
-            self.assertAlmostEqual(area, wish, 8)
+        for area, target in zip(self.areas("t.csv"), targets, strict=True):
+            self.assertAlmostEqual(area, target, 8)
         self.succeed(*run, "--areas", "d.txt")
         self.assertAlmostEqual(math.fsum(self.areas("t.csv")), 30 * math.pi, 10)
         for options in ((), ("--areas", "equal"), ("--density", "1 + u")):
@@ -196,8 +196,8 @@ class CheckedAreas(AreaTest):
 
     def setUp(self):
         super().setUp()
-        self.wished = [1 + (7 * k) % 12 for k in range(60)]
-        self.write("a.txt", "".join(f"{a}\n" for a in self.wished))
+        self.targets = [1 + (7 * k) % 12 for k in range(60)]
+        self.write("a.txt", "".join(f"{a}\n" for a in self.targets))
 
     def mesh(self, *arguments):
         self.succeed("mesh", "--sites", 60, "--areas", "a.txt", "--max-iterations", 3, "--force", *arguments)
@@ -213,13 +213,13 @@ class CheckedAreas(AreaTest):
         self.mesh("--aspect", "2,30", "-o", "t.vti")
         for name in (*files, "t.vti"):
             self.assertIn(", areas of 60 cells within", self.succeed("check", name, "--areas", "a.txt"), name)
-        self.write("b.txt", "".join(f"{a}\n" for a in [self.wished[1], self.wished[0], *self.wished[2:]]))
+        self.write("b.txt", "".join(f"{a}\n" for a in [self.targets[1], self.targets[0], *self.targets[2:]]))
         for name in (*files, "t.vti"):
             self.refuse(2, f"{name}: not a .*: law of the areas: the cell of site [01] has the area", "check", name,
                         "--areas", "b.txt")
 
     def test_diameters_and_repeated_boxes_are_checked(self):
-        self.write("d.txt", "diameter\n" + "".join(f"{math.sqrt(a)}\n" for a in self.wished))
+        self.write("d.txt", "diameter\n" + "".join(f"{math.sqrt(a)}\n" for a in self.targets))
         self.mesh("--outline", "box", "--repeat", "2x1", "-o", "t.obj")
         self.assertIn("areas of 60 cells within", self.succeed("check", "t.obj", "--areas", "d.txt"))
 

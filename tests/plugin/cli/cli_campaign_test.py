@@ -2,7 +2,7 @@
 
 Each run of `pcvt mesh` or `pcvt pattern` ends with a documented exit code and at most one line on standard error,
 leaves no hidden file behind, and writes all of its files or none, but for files whose single precision does not hold
-the tile. `pcvt check` accepts what was written.
+the tile. `pcvt check` accepts the files.
 
 By hand, in this folder:
     PYTHONPATH=../.. ./cli_campaign_test.py PCVT --jobs 3000 --seed 1 --dimension 2

@@ -43,13 +43,13 @@ class Check(CliTest):
             for line in self.succeed("check", *names).splitlines():
                 self.assertRegex(line, r"genus 1 after gluing, area 0\.81.*pairs agree")
 
-    def wished_areas(self, n):
+    def target_areas(self, n):
         areas = [1 + (7 * k) % 11 / 5 for k in range(n)]
         self.write("areas.txt", "".join(f"{a}\n" for a in areas))
         return areas
 
     def test_power_cells_are_proved_with_their_areas(self):
-        areas = self.wished_areas(40)
+        areas = self.target_areas(40)
         outputs = [word for e in (*READABLE, "foam") for word in ("-o", f"t.{e}")]
         self.mesh("--sites", 40, *OBLIQUE, "--areas", "areas.txt", "--max-iterations", 3, *outputs)
         names = [f"t.{e}" for e in (*READABLE, "foam")]
@@ -74,14 +74,14 @@ class Check(CliTest):
                                        r"as stated, areas of 20 cells within")
 
     def test_areas_need_a_file_and_weights(self):
-        self.wished_areas(8)
+        self.target_areas(8)
         self.mesh("--sites", 8, "-o", "t.obj")
         self.refuse(2, r"^t\.obj: states no weights of its sites", "check", "t.obj", "--areas",
                     "areas.txt")
         self.refuse(2, r"--areas of check takes a file", "check", "t.obj", "--areas", "equal")
 
     def test_centroidal_power_cells_are_proved(self):
-        self.wished_areas(30)
+        self.target_areas(30)
         self.mesh("--sites", 30, *OBLIQUE, "--areas", "areas.txt", "--aspect", "3,30", "-o", "t.obj")
         line = self.succeed("check", "t.obj", "--cvt")
         self.assertRegex(line, r"power cells, elongated 3:1 at 30 degrees, centroidal power cells "

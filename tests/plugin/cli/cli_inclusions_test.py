@@ -243,7 +243,7 @@ class Check(CliTest):
         self.refute("but its site lies in matrix", "t.vtu", "other.txt")
 
     def test_a_cell_across_an_outline_is_refuted(self):
-        # The same sites without the shapes: a Voronoi diagram that knows nothing of them.
+        # The same sites without the shapes: a Voronoi diagram without them.
         self.mesh(*outputs("txt"))
         self.succeed("mesh", "--input", "t.txt", "--max-iterations", 0, "-o", "same.ply")
         self.succeed("check", "same.ply", "--inclusions", "shapes.txt")

@@ -1,4 +1,4 @@
-"""pcvt mesh -o mesh.nc: what the file says about itself, and the Coriolis parameter."""
+"""pcvt mesh -o mesh.nc: the attributes of the file, and the Coriolis parameter."""
 
 import os
 

@@ -19,7 +19,7 @@ class OtherPrograms(CliTest):
         self.succeed("mesh", "--tolerance", "1e-3", "--force", "--quiet", *arguments)
 
     def write_rounded(self, digits=6):
-        """Writes an OBJ with vertices and faces alone, as other programs do."""
+        """Writes an OBJ with only vertices and faces, as other programs do."""
         self.mesh("--sites", 30, *OBLIQUE, "-o", "t.obj")
         lines = [re.sub(r"/\d+", "", line) for line in self.path("t.obj").read_text().splitlines()
                  if line.startswith(("v ", "f "))]

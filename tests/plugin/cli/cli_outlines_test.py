@@ -99,8 +99,8 @@ class Outlines(CliTest):
         self.assertEqual(set(sites), set(range(30)))
         text = self.path("t.obj").read_text()
         self.assertIn("# pcvt kind grains\n", text)
-        told = [int(w) for row in re.findall("# pcvt sites (.*)", text) for w in row.split()]
-        self.assertEqual(sorted(told), sorted(sites))
+        stated = [int(w) for row in re.findall("# pcvt sites (.*)", text) for w in row.split()]
+        self.assertEqual(sorted(stated), sorted(sites))
 
     def test_a_damaged_box_is_refuted(self):
         self.succeed(*BOX, "--origin", "0,0", "--mesh", "grains", "--quiet", "-o", "t.ply")

@@ -138,16 +138,16 @@ class Outputs(CliTest):
                 self.path("z.obj").unlink()
                 return found
 
-            alone = []
+            one_by_one = []
             for run in runs:
                 self.succeed(*run)
-                alone.append(contents_left())
+                one_by_one.append(contents_left())
             for _ in range(4):
                 begun = [subprocess.Popen([self.binary(), *run], cwd=self.folder, stderr=subprocess.PIPE)
                          for run in runs]
                 for run in begun:
                     self.assertEqual((run.communicate()[1], run.returncode), (b"", 0))
-                self.assertEqual(alone.count(contents_left()), 1)
+                self.assertEqual(one_by_one.count(contents_left()), 1)
 
 
 if __name__ == "__main__":

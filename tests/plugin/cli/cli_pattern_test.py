@@ -69,7 +69,7 @@ class Pattern(CliTest):
         self.assertRegex(self.succeed("check", "t.obj", "--period", "2,1"), "24 faces")
 
     def test_three_thousand_cells_take_less_than_two_seconds(self):
-        # Of the processors, since other tests may run beside this one.
+        # The time of the processors, since other tests may run beside this one.
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         self.succeed("pattern", "--sites", 3000, "-o", "t.obj", "-o", "t.glb", "-o", "t.svg")
         after = resource.getrusage(resource.RUSAGE_CHILDREN)

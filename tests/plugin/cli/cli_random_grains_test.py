@@ -1,5 +1,5 @@
 """Random polycrystals: every format is written, `pcvt check` and `check --areas` accept it, and the faces of each
-cell have the wished area. Where many edges are removed, no weights may give the areas: then the report says so, and
+cell have the target area. Where many edges are removed, no weights may give the areas: then the report says so, and
 `check --areas` refuses.
 
 PCVT_GRAIN_JOBS=N runs N jobs instead of a few, PCVT_GRAIN_SEED=S others.
@@ -22,7 +22,7 @@ FORMATS = {"voronoi": ("obj", "ply", "glb", "gltf", "om", "vtu"),
            "grains": ("obj", "ply", "glb", "gltf", "om", "vtu", "msh", "inp")}
 QUADRATIC = ("vtu", "msh", "inp")
 SAME_AREA = 1e-8
-# What pcvt may say of a job that is well posed, besides success.
+# The refusals that a well-posed job may meet.
 REFUSALS = (r"too thin", r"too small", r"single precision is too coarse", r"closer than", r"smaller spread",
             r"times longer than wide", r"cells are so small")
 
@@ -38,21 +38,21 @@ def lattice(draw):
 
 
 class RandomGrains(CliTest):
-    def wish(self, draw, n_sites):
+    def targets(self, draw, n_sites):
         """The word of --areas; a file is written."""
         law = draw.choice(LAWS)
         if law not in ("FILE", "DIAMETERS"):
             return law
         head = "diameter\n" if law == "DIAMETERS" else ""
-        self.write("wish.txt", head + "".join(f"{draw.uniform(0.3, 2):.6g}\n" for _ in range(n_sites)))
-        return "wish.txt"
+        self.write("targets.txt", head + "".join(f"{draw.uniform(0.3, 2):.6g}\n" for _ in range(n_sites)))
+        return "targets.txt"
 
     def job(self, draw):
         """The options of one random job, and its outputs."""
         n_sites = round(300 ** draw.random())
         domain, is_rectangle = lattice(draw)
         mesh = draw.choice(("voronoi", "grains", "grains", "delaunay"))
-        options = [*domain, "--sites", n_sites, "--seed", draw.randrange(10**6), "--areas", self.wish(draw, n_sites),
+        options = [*domain, "--sites", n_sites, "--seed", draw.randrange(10**6), "--areas", self.targets(draw, n_sites),
                    "--max-iterations", draw.choice((0, 1, 5)), "--mesh", mesh, "--threads", 1]
         formats = FORMATS[mesh]
         if draw.random() < 0.3:
@@ -99,12 +99,12 @@ class RandomGrains(CliTest):
             sums[site] = sums.get(site, 0) + area
         return sums
 
-    def expect_areas(self, options, wished):
+    def expect_areas(self, options, targets):
         areas = self.areas_of_faces("t.obj")
         copies = math.prod(map(int, options[options.index("--repeat") + 1].split("x"))) if "--repeat" in options else 1
-        self.assertEqual(len(areas), len(wished))
-        for site, wish in enumerate(wished):
-            self.assertAlmostEqual(areas[site] / copies / wish, 1, delta=SAME_AREA)
+        self.assertEqual(len(areas), len(targets))
+        for site, target in enumerate(targets):
+            self.assertAlmostEqual(areas[site] / copies / target, 1, delta=SAME_AREA)
 
     def run_job(self, options, formats):
         """Returns the refusal, in words; nothing if all held."""
@@ -116,8 +116,8 @@ class RandomGrains(CliTest):
             self.assertTrue(any(re.search(text, error) for text in REFUSALS), error)
             self.assertNotIn("fault of pcvt", error)
             return error
-        wished = [float(row["area"]) for row in self.table("cells.csv")]
-        self.write("areas.txt", "".join(f"{area!r}\n" for area in wished))
+        targets = [float(row["area"]) for row in self.table("cells.csv")]
+        self.write("areas.txt", "".join(f"{area!r}\n" for area in targets))
         error_of_mesh = json.loads(self.path("r.json").read_text())["areas"]["largest_relative_mesh_error"] or 0
         for extension in formats:
             self.succeed("check", f"t.{extension}")
@@ -128,10 +128,10 @@ class RandomGrains(CliTest):
         if error_of_mesh >= SAME_AREA:
             self.assertIn("--short-edges", options)
             return "areas are not reached"
-        if options[options.index("--areas") + 1] == "wish.txt":
-            self.succeed("check", f"t.{formats[0]}", "--areas", "wish.txt")
+        if options[options.index("--areas") + 1] == "targets.txt":
+            self.succeed("check", f"t.{formats[0]}", "--areas", "targets.txt")
         if "obj" in formats and "delaunay" not in options:
-            self.expect_areas(options, wished)
+            self.expect_areas(options, targets)
         return None
 
     def test_files_of_random_jobs_are_accepted(self):

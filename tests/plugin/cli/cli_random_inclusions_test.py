@@ -15,7 +15,7 @@ from support.cli import CliTest, main
 TAGS = ("glass", "steel", "void")
 FORMATS = ("obj", "glb", "vtu")
 SMALLEST_GAP = 0.02
-# What pcvt may say of shapes that are well posed, besides success.
+# The refusals that well-posed shapes may meet.
 REFUSALS = (r"sites are too few for the inclusions; take \d+", r"single precision is too coarse",
             r"has no area in float32")
 

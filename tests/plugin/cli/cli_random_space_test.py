@@ -13,13 +13,13 @@ from support.cli import CliTest, main
 
 FORMATS = ("vtu", "foam", "msh", "obj", "ply", "glb", "om", "txt")
 SURFACES = {"obj", "ply", "glb"}
-# What pcvt may say of a job that is well posed, besides success, and its exit code.
+# The refusals that a well-posed job may meet, with their exit codes.
 REFUSALS = (
     (2, r"-o a\.msh: (one tetrahedron of these sites is|\d+ tetrahedra of these sites are) flat, "),
     (2, r"single precision is too coarse"),
     (5, r"^pcvt: not converged \((iteration-limit|stalled)"),
 )
-# Mistakes that may be added to any job, and what pcvt then says; the exit code is 2.
+# Mistakes that may be added to any job, and the messages of pcvt; the exit code is 2.
 MISTAKES = (
     (("--density", "1"), r"--density is not for three dimensions"),
     (("--sites", "0"), r"--sites 0|--sites.*exclude"),

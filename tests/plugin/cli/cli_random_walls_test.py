@@ -13,7 +13,7 @@ from support.cli import CliTest, main
 DENSITIES = ("1 + 20 * exp(-8 * v)", "1 + 5 * cos(2 * _pi * u)^2", "exp(3 * u * v)", "u < 0.4 ? 9 : 1")
 LAWS = ("equal", "lognormal:0.42", "gamma:0.3")
 FORMATS = ("obj", "glb", "vtu")
-# What pcvt may say of a job that is well posed, besides success.
+# The refusals that a well-posed job may meet.
 REFUSALS = (r"no cells of sites on the walls came about", r"reaches the opposite one", r"too thin", r"too small",
             r"single precision is too coarse")
 

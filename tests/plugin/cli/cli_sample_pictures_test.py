@@ -1,4 +1,4 @@
-"""samples/stress_picture, flow_picture and stiffness: what they draw or print, and the line with which they refuse files."""
+"""samples/stress_picture, flow_picture and stiffness: their pictures and texts, and the line with which they refuse files."""
 
 import contextlib
 import io
@@ -30,7 +30,7 @@ DAMAGES = ("nan", "inf", "1e999", "-1", "99999999", "²", "x", "", "(", ")", "{"
 
 
 def printed(name, *arguments):
-    """Runs a sample; returns its exit code and what it prints on standard output and standard error."""
+    """Runs a sample; returns its exit code, its standard output and its standard error."""
     output, errors = io.StringIO(), io.StringIO()
     code = 0
     with mock.patch.object(sys, "argv", [name, *map(str, arguments)]), contextlib.redirect_stderr(errors), \
@@ -43,7 +43,7 @@ def printed(name, *arguments):
 
 
 def sample(name, *arguments):
-    """Runs a sample; returns its exit code and what it prints on standard error."""
+    """Runs a sample; returns its exit code and its standard error."""
     code, _, errors = printed(name, *arguments)
     return code, errors
 

@@ -1,4 +1,4 @@
-"""Units of length, and files of single precision: what 32-bit floats hold is written, what they do not is refused."""
+"""Units of length, and files of single precision: tiles that 32-bit floats hold are written, others are refused."""
 
 import json
 import struct

@@ -21,15 +21,15 @@ class WalledAreas(CliTest):
         lines = self.path(name).read_text().splitlines()
         return list(csv.DictReader(line for line in lines if not line.startswith("#")))
 
-    def wished_areas(self, n=40):
+    def target_areas(self, n=40):
         areas = [1 + (7 * k) % 11 / 5 for k in range(n)]
         self.write("areas.txt", "".join(f"{a}\n" for a in areas))
         return areas
 
-    def assert_areas(self, name, wished, tolerance):
+    def assert_areas(self, name, targets, tolerance):
         areas = [float(row["area"]) for row in self.table(name)]
-        for area, wish in zip(areas, wished, strict=True):
-            self.assertAlmostEqual(area / sum(areas) * sum(wished) / wish, 1, delta=tolerance)
+        for area, target in zip(areas, targets, strict=True):
+            self.assertAlmostEqual(area / sum(areas) * sum(targets) / target, 1, delta=tolerance)
         self.assertAlmostEqual(sum(areas), 2, delta=1e-12)
 
     def test_laws_and_steps_are_reported(self):
@@ -50,7 +50,7 @@ class WalledAreas(CliTest):
                         self.assert_areas("t.csv", [1] * 40, 1e-9)
 
     def test_check_proves_the_areas_in_every_format_of_every_mesh(self):
-        wished = self.wished_areas()
+        targets = self.target_areas()
         for walls, words in (("x", "an annulus after gluing"), ("y", "an annulus after gluing"), ("xy", "a disc")):
             for mesh, cells, options in (("voronoi", "whole", ()), ("voronoi", "half", ()),
                                          ("voronoi", "whole", ("--short-edges", "0.1")),
@@ -62,7 +62,7 @@ class WalledAreas(CliTest):
                 extensions = [e for e in (TILES if mesh == "voronoi" else TILES + SOLVERS[:2]) if e != "foam" or not cut]
                 self.mesh("--walls", walls, "--wall-cells", cells, "--mesh", mesh, *options, "--areas", "areas.txt",
                           "--max-iterations", 5, *outputs(*extensions, *PICTURES), "-o", "t.csv")
-                self.assert_areas("t.csv", wished, 1e-8)
+                self.assert_areas("t.csv", targets, 1e-8)
                 # The box outline moves corners of grains in steps, so that their areas are near, not exact.
                 proof = () if mesh == "grains" and "box" in options else ("--areas", "areas.txt")
                 text = self.succeed("check", *(f"t.{extension}" for extension in extensions), *proof)
@@ -72,7 +72,7 @@ class WalledAreas(CliTest):
                         self.assertRegex(line, "areas of 40 cells within")
 
     def test_check_refuses_other_areas_and_weights(self):
-        self.wished_areas()
+        self.target_areas()
         self.write("other.txt", "".join(f"{1 + k % 3}\n" for k in range(40)))
         self.mesh("--walls", "xy", "--areas", "areas.txt", "--max-iterations", 3, *outputs("obj"))
         self.refuse(2, "law of the areas: the cell of site", "check", "t.obj", "--areas", "other.txt")

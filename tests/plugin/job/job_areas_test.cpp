@@ -97,7 +97,7 @@ std::vector<double> areas_by_site(const plane::Tile& tile, int n_sites) {
     return areas;
 }
 
-Eigen::VectorXd wished(const Job& job) {
+Eigen::VectorXd target_areas(const Job& job) {
     const auto& [law, given, name] = *job.areas;
     return scaled_areas(given.size() > 0 ? given : draw_areas(law, job.n_sites, job.seed),
                         job.n_sites, job.in_plane().lattice.area());
@@ -106,7 +106,7 @@ Eigen::VectorXd wished(const Job& job) {
 /// Expects that the faces of each site have its area, also without short edges and in a box.
 void expect_areas(const Job& job, const plane::BuiltTile& built) {
     const std::vector<double> areas = areas_by_site(built.tile, job.n_sites);
-    const Eigen::VectorXd targets = wished(job);
+    const Eigen::VectorXd targets = target_areas(job);
     for (int s = 0; s < job.n_sites; ++s) {
         EXPECT_NEAR(areas[s] / (job.tile.columns * job.tile.rows) / targets[s], 1, 1e-7);
     }
@@ -191,7 +191,7 @@ TEST(JobAreas, CellsHaveTheAreasExactly) {
         EXPECT_EQ(run.stop,
                   run.residual <= job.run.tolerance ? Stop::kConverged : Stop::kIterationLimit);
         const CellTable& table = computed->cells.table();
-        const Eigen::VectorXd targets = wished(job);
+        const Eigen::VectorXd targets = target_areas(job);
         const double tolerance = std::max(1e-10, computed->cells.areas->rounding);
         for (int s = 0; s < job.n_sites; ++s) {
             // Corners are merged within 1e-9 h.

@@ -221,8 +221,8 @@ void expect_one_numbering(Job job, const std::vector<std::string>& extensions) {
     }
 }
 
-/// Every fourth format, from the given one on, that states the sites of its tile and is not of
-/// triangles alone; and the one whose cells are compared.
+/// Every fourth format, from the given one on, that states the sites of its tile and does not
+/// consist of only triangles; and the one whose cells are compared.
 std::vector<std::string> extensions_of_cells(const Job& job, int first) {
     std::vector<std::string> extensions;
     int turn = first;

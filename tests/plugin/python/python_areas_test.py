@@ -18,10 +18,10 @@ def to_round(ratio, degrees):
 
 class Areas(unittest.TestCase):
     def test_cells_have_the_given_areas(self):
-        wished = np.arange(1, 41)
-        result = pcvt.mesh(40, OBLIQUE, areas=wished, max_iterations=2)
+        targets = np.arange(1, 41)
+        result = pcvt.mesh(40, OBLIQUE, areas=targets, max_iterations=2)
         cells = result.cells
-        np.testing.assert_allclose(cells["area"] / 0.81, wished / wished.sum(), rtol=1e-8)
+        np.testing.assert_allclose(cells["area"] / 0.81, targets / targets.sum(), rtol=1e-8)
         self.assertLess(result.statistics.area_error, 1e-10)
         self.assertGreater(result.statistics.newton_steps, 0)
         self.assertEqual(result.statistics.iterations, 2)
@@ -55,8 +55,8 @@ class Areas(unittest.TestCase):
         np.testing.assert_array_equal(pcvt.mesh(20, aspect=(1, 40)).sites, pcvt.mesh(20).sites)
 
     def test_tiles_of_every_kind_have_the_areas(self):
-        wished = np.arange(1, 21)
-        result = pcvt.mesh(20, areas=wished, aspect=(2, 30), repeat=(2, 1))
+        targets = np.arange(1, 21)
+        result = pcvt.mesh(20, areas=targets, aspect=(2, 30), repeat=(2, 1))
         for kind in ("voronoi", "grains"):
             for outline in ("whole", "box"):
                 tile = result.tile(kind, outline)
@@ -64,9 +64,9 @@ class Areas(unittest.TestCase):
                 for site, polygon in zip(tile.face_site, tile.polygons()):
                     x, y = (polygon - polygon[0]).T
                     areas[site] += (x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
-                np.testing.assert_allclose(areas / 2, wished / wished.sum(), rtol=1e-2)
+                np.testing.assert_allclose(areas / 2, targets / targets.sum(), rtol=1e-2)
 
-    def test_impossible_wishes_are_refused(self):
+    def test_impossible_targets_are_refused(self):
         for areas, words in (([1, 2], "n_areas"), ([1, -1, 1], "area of site 1"), ([1, math.nan, 1], "site 1"),
                              ([1, 0, 1], "site 1"), ("gamma", "gamma:S"), ("dirac:1", "law"), ("", "law"), (3, "n_areas")):
             with self.assertRaisesRegex(pcvt.ArgumentError, words):

@@ -102,8 +102,8 @@ class Arrays(unittest.TestCase):
         self.assertEqual((figures.stop, figures.n_sites, figures.iterations),
                          ("iteration-limit", 100, 3))
         self.assertEqual((figures.valences.sum(), figures.valences[6]), (100, figures.n_hexagons))
-        alone = pcvt.mesh(100, threads=1).statistics
-        self.assertEqual((alone.stop, alone.n_threads), ("converged", 1))
+        single = pcvt.mesh(100, threads=1).statistics
+        self.assertEqual((single.stop, single.n_threads), ("converged", 1))
 
 
 class Seam(unittest.TestCase):

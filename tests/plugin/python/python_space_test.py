@@ -143,9 +143,9 @@ class Files(CliTest):
         result = pcvt.space(12, tolerance=1e-4)
         result.write(None, report=self.path("r.json"))
         result.write(self.path("t.om"), report=self.path("s.json"))
-        alone, beside = (json.loads(self.path(name).read_text()) for name in ("r.json", "s.json"))
-        self.assertEqual((alone["files"], beside["files"]), ([], [str(self.path("t.om"))]))
-        for found in (alone, beside):
+        without, beside = (json.loads(self.path(name).read_text()) for name in ("r.json", "s.json"))
+        self.assertEqual((without["files"], beside["files"]), ([], [str(self.path("t.om"))]))
+        for found in (without, beside):
             self.assertEqual(found["energy"], result.statistics.energy)
             self.assertEqual(found["iterations"], result.statistics.iterations)
             self.assertEqual(sum(found["faces"].values()), 12)

@@ -46,16 +46,16 @@ class Walls(unittest.TestCase):
 
     def test_cells_between_walls_have_prescribed_areas(self):
         areas = np.arange(1, 61)
-        wished = areas / areas.sum() * (WIDTH * HEIGHT)
+        targets = areas / areas.sum() * (WIDTH * HEIGHT)
         for walls, cells in (("x", "whole"), ("y", "half"), ("xy", "whole")):
             result = mesh(walls=walls, wall_cells=cells, areas=areas, max_iterations=5)
-            np.testing.assert_allclose(result.cells["area"], wished, rtol=1e-8)
+            np.testing.assert_allclose(result.cells["area"], targets, rtol=1e-8)
             self.assertEqual(result.weights.shape, (60,))
             self.assertLess(result.statistics.area_error, 1e-10)
             tile = result.tile("grains")
             x, y = np.moveaxis(tile.points[tile.corners.reshape(-1, 3)], 2, 0)
             triangles = ((x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) - (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])) / 2
-            np.testing.assert_allclose(np.bincount(tile.face_site, triangles), wished, rtol=1e-8)
+            np.testing.assert_allclose(np.bincount(tile.face_site, triangles), targets, rtol=1e-8)
 
     def test_without_walls_no_edge_lies_on_one(self):
         self.assertEqual(len(mesh().tile().wall_edges), 0)

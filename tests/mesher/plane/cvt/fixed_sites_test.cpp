@@ -148,7 +148,7 @@ TEST(FixedSites, AreRefusedIfTheyAreNoSites) {
     EXPECT_THROW(solve(problem), InvalidInput);
 }
 
-/// Admits sites 0 and 1 on their own sides of v = 1/2 alone.
+/// Admits sites 0 and 1 only on their own sides of v = 1/2.
 class HalfPlanes final : public SiteGuard<MovingDelaunay> {
    public:
     bool admits(const MovingDelaunay& delaunay) override {

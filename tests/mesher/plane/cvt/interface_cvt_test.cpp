@@ -21,7 +21,7 @@ namespace {
 
 using testing::kSquare;
 
-/// Of the cases; more of them, with more sites, if PCVT_INTERFACE_CASES says so.
+/// The number of cases; more of them, with more sites, if PCVT_INTERFACE_CASES sets it.
 int n_cases() { return testing::case_count("PCVT_INTERFACE_CASES", 100); }
 
 InclusionSet random_set(std::mt19937_64& random) {

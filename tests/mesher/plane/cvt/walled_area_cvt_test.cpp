@@ -36,7 +36,7 @@ struct WalledJob {
 };
 
 /// Areas of a law, or numbers between 1 and 10.
-Eigen::VectorXd wished_areas(const char* law, const Lattice& lattice, int n,
+Eigen::VectorXd target_areas(const char* law, const Lattice& lattice, int n,
                              std::mt19937_64& random) {
     Eigen::VectorXd areas(n);
     if (std::string(law) == "given") {
@@ -70,7 +70,7 @@ WalledJob random_job(int k) {
                   .points = {},
                   .options = {}};
     job.options.run.max_iterations = std::array{0, 5, -1}[random() % 3];
-    job.options.areas = wished_areas(kLaws[random() % 4], job.lattice, n, random);
+    job.options.areas = target_areas(kLaws[random() % 4], job.lattice, n, random);
     job.points = job.options.run.max_iterations == 0
                      ? points_near_walls(job.lattice, job.walls, n, random)
                      : uniform_points(job.lattice, n, random());
@@ -165,7 +165,7 @@ double farthest_beyond_walls(const WalledAreaCvt& result) {
     return farthest;
 }
 
-TEST(WalledAreaCvt, SlowRandomJobsGiveTheCellsOfHalfPlanesInTheTargetSizes) {
+TEST(WalledAreaCvt, SlowRandomJobsGiveTheCellsOfHalfPlanesInTheTargetAreas) {
     const int n = testing::case_count("PCVT_AREA_CASES", 200);
     int n_rounding = 0;
     for (int k = 0; k < n; ++k) {
@@ -240,7 +240,7 @@ TEST(WalledAreaCvt, EachTileIsProvedAndHasTheAreas) {
             std::mt19937_64 random(7);
             const Lattice lattice = Lattice::rectangle(2, 1);
             WalledJob job{lattice, walls, cells, uniform_points(lattice, 60, 3), {}};
-            job.options.areas = wished_areas("lognormal:0.42", lattice, 60, random);
+            job.options.areas = target_areas("lognormal:0.42", lattice, 60, random);
             job.options.run.max_iterations = 5;
             const WalledAreaCvt result = computed(job);
             for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kGrains}) {
@@ -279,7 +279,7 @@ TEST(WalledAreaCvt, NarrowHalvesKeepTheirSidesWithoutShortEdges) {
         std::mt19937_64 random(seed);
         WalledJob job{
             lattice, Walls::kXY, WallCells::kHalf, uniform_points(lattice, 125, seed), {}};
-        job.options.areas = wished_areas("lognormal:0.42", lattice, 125, random);
+        job.options.areas = target_areas("lognormal:0.42", lattice, 125, random);
         job.options.run.max_iterations = 1;
         const WalledAreaCvt result = computed(job);
         const BuiltTile built =
@@ -314,7 +314,7 @@ TEST(WalledAreaCvt, SlowEveryBitIsTheSameForAnyNumberOfThreads) {
     std::mt19937_64 random(1);
     const Lattice lattice = Lattice::rectangle(2, 1);
     WalledJob job{lattice, Walls::kXY, WallCells::kWhole, uniform_points(lattice, 9000, 1), {}};
-    job.options.areas = wished_areas("gamma:0.3", lattice, 9000, random);
+    job.options.areas = target_areas("gamma:0.3", lattice, 9000, random);
     job.options.run.max_iterations = 1;
     const WalledAreaCvt one = computed(job);
     for (const int n_threads : {2, 4}) {
@@ -355,7 +355,7 @@ TEST(WalledAreaCvt, FiguresCountTheWorkOfAllRounds) {
                                                       uniform_points(box, 60, 1), options);
     // A round fits the weights at least once before its first step and once after every step.
     EXPECT_GT(n_steps, 5) << "one round only";
-    // Four Newton steps follow each step of the sites; the last round alone has two for each.
+    // Four Newton steps follow each step of the sites; only the last round has two for each.
     EXPECT_GE(cvt.torus.areas.newton_steps, 3 * n_steps);
 }
 

@@ -106,7 +106,7 @@ TEST(WalledCvt, HalfCellsLieOnWallsAndAreNearerToTheBound) {
         n_on_walls += on_wall(points(0, s)) || on_wall(points(1, s));
     }
     EXPECT_EQ(n_on_walls, half.domain.n_on_walls);
-    // The clipped energy of the same sites does not know of the images.
+    // The clipped energy of the same sites does not use the images.
     EXPECT_NEAR(half.torus.run.energy / clipped_energy(box, points).value, 1, 1e-13);
 }
 

@@ -88,9 +88,9 @@ TEST(CellSums, EqualTheMomentsOfEachCellByItself) {
             const std::vector<Moments> found = place.integrate(place.ordered);
             const std::int64_t n_evaluations = place.probe.take_range().n_evaluations;
             for (const auto& [site, q, is_cut] : place.ordered) {
-                const Moments alone =
+                const Moments single =
                     place.quadrature(place.polygon(site), place.cells.site(site), q, place.probe);
-                expect_same(found[site], alone, 1e-12);
+                expect_same(found[site], single, 1e-12);
             }
             EXPECT_EQ(place.probe.take_range().n_evaluations, n_evaluations);
         }
@@ -102,10 +102,10 @@ TEST(CellSums, OfACellDependOnNoOtherCell) {
     Place place(lattice, uniform_points(lattice, 700, 4), testing::smooth_density());
     const std::vector<Moments> together = place.integrate(place.ordered);
     for (const OrderedCell& cell : place.ordered) {
-        const Moments alone = place.integrate({&cell, 1}).front();
-        EXPECT_EQ(alone.mass, together[cell.site].mass);
-        EXPECT_EQ(alone.first, together[cell.site].first);
-        EXPECT_EQ(alone.second, together[cell.site].second);
+        const Moments single = place.integrate({&cell, 1}).front();
+        EXPECT_EQ(single.mass, together[cell.site].mass);
+        EXPECT_EQ(single.first, together[cell.site].first);
+        EXPECT_EQ(single.second, together[cell.site].second);
     }
 }
 

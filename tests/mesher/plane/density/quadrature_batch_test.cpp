@@ -41,10 +41,10 @@ TEST(QuadratureBatch, ComputesTheMomentsOfEachCellToTheLastBit) {
         ASSERT_EQ(found.size(), some_cells().size());
         for (std::size_t k = 0; k < found.size(); ++k) {
             const auto [site, q] = some_cells()[k];
-            const Moments alone = quadrature(square(site, half), site, q, other);
-            EXPECT_EQ(found[k].mass, alone.mass);
-            EXPECT_EQ(found[k].first, alone.first);
-            EXPECT_EQ(found[k].second, alone.second);
+            const Moments single = quadrature(square(site, half), site, q, other);
+            EXPECT_EQ(found[k].mass, single.mass);
+            EXPECT_EQ(found[k].first, single.first);
+            EXPECT_EQ(found[k].second, single.second);
         }
     }
 }

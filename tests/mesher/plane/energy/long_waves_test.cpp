@@ -37,8 +37,8 @@ TEST(LongWaves, AreSymmetricAndPositiveDefinite) {
         const VectorXd inverse_r = apply(waves, r);
         const VectorXd inverse_s = apply(waves, s);
         EXPECT_NEAR(r.dot(inverse_s), s.dot(inverse_r), 1e-5 * r.norm() * inverse_s.norm());
-        const double alone = 1 / (2 * std::pow(delaunay.spacing(), 2));
-        EXPECT_GE(r.dot(inverse_r), 0.999 * alone * r.squaredNorm());
+        const double local = 1 / (2 * std::pow(delaunay.spacing(), 2));
+        EXPECT_GE(r.dot(inverse_r), 0.999 * local * r.squaredNorm());
     }
 }
 
@@ -66,10 +66,10 @@ TEST(LongWaves, MoveAllSitesTogetherAsOneSiteAlone) {
     const MovingDelaunay delaunay = hexagons(15);
     Workers workers(1);
     LongWaves waves(delaunay, workers);
-    const double alone = 1 / (2 * std::pow(delaunay.spacing(), 2));
+    const double local = 1 / (2 * std::pow(delaunay.spacing(), 2));
     const VectorXd push = VectorXd::Ones(2 * delaunay.n_sites());
     // The grid and the hexagons interfere slightly.
-    EXPECT_LT((apply(waves, push) - alone * push).norm(), 0.2 * alone * push.norm());
+    EXPECT_LT((apply(waves, push) - local * push).norm(), 0.2 * local * push.norm());
 }
 
 /// The change of the gradient per displacement along a direction.

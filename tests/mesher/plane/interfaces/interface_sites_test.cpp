@@ -58,7 +58,7 @@ TEST(InterfaceSites, SlowCirclesHoldTheSeedsOfTheirChordsAndNoOther) {
     }
 }
 
-// Law (2): whatever the other sites are.
+// Law (2), for any other sites.
 TEST(InterfaceSites, SlowChordsAreEdgesAmongAnySitesOutsideOfTheCircles) {
     for (int seed = 0; seed < kCases; ++seed) {
         const Case one = random_case(seed);

@@ -26,7 +26,7 @@ BuiltTile built(const Lattice& lattice, const AreaCvtResult& cells, const CellSh
     return build_tile(cells.delaunay, options);
 }
 
-/// The largest relative difference between the areas of the faces and the wished ones.
+/// The largest relative difference between the areas of the faces and their targets.
 double largest_error(const Tile& tile, int n, int seed, const CellShape& shape) {
     const AreaLaw law = parse_area_law(shape.law);
     Eigen::VectorXd left =
@@ -48,7 +48,7 @@ void expect_areas(const BuiltTile& built, int n, int seed, const CellShape& shap
 }
 
 // Laws 2 and 3, by the proof of tiles.
-TEST(AreaFit, GrainsHaveTheTargetSizes) {
+TEST(AreaFit, GrainsHaveTheTargetAreas) {
     for (const auto& [name, lattice] : testing::lattices()) {
         for (const CellShape& shape : {kRound, kElongated}) {
             for (const int n : {1, 2, 3, 5, 8, 60, 200}) {

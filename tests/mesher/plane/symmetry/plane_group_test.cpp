@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// What the International Tables list: the order of the group with its centring, centres of
+/// The entries of the International Tables: the order of the group with its centring, centres of
 /// rotation as (order, number a period), and the number of orbits of mirrors.
 struct Published {
     PlaneGroupName name;

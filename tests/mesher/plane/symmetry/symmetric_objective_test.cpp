@@ -123,7 +123,7 @@ TEST(SymmetricObjective, HasTheHessianOfItsValue) {
     }
 }
 
-// Law (1), and each site at its centroid follows from the representatives alone.
+// Law (1), and each site at its centroid follows from only the representatives.
 TEST(SymmetricObjective, HasTheValueOfAllSitesAndFoldsTheLloydStep) {
     for (const PlaneGroupRow& row : kPlaneGroups) {
         const SymmetricSites sites = sites_of(row.name);

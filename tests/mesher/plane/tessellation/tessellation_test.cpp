@@ -90,7 +90,7 @@ TEST(Tessellation, SidesAreThoseOfTheMesh) {
 TEST(Tessellation, ATileOfTheCellsOfTheTableIsThatOfTheTriangulation) {
     for (const Tessellation& cells : examples()) {
         for (const MeshKindRow& row : kMeshKinds) {
-            // Of triangles between walls, all cells at these would have to be half ones.
+            // Triangles between walls would need half cells at all walls.
             if (cells.walled && row.kind == MeshKind::kDelaunay) continue;
             const TileOptions options{.kind = row.kind,
                                       .elongation = cells.elongation,

@@ -76,7 +76,7 @@ TEST(Tile, OfThousandsOfSitesOnACircleIsProvedOrRefused) {
     }
 }
 
-// "Faces whose centre lies in the domain" is no disc in 4 to 10 % of such cases.
+// "Faces whose centre lies in the domain" is not a disc in 4 to 10 % of such cases.
 TEST(Tile, IsADiscForRandomSmallInputs) {
     std::mt19937_64 random(5);
     for (int k = 0; k < 1500; ++k) {

@@ -147,10 +147,10 @@ TEST(VoxelImage, TheCostIsThatOfVoxelsAndSites) {
         const PeriodicDelaunay delaunay(Sites(lattice, uniform_points(lattice, n, 2)));
         for (const VoxelCounts counts :
              {VoxelCounts{2, 2}, {2, 5000}, {5000, 2}, {100, 100}, {400, 400}}) {
-            const auto before = predicate_counts().asked;
+            const auto before = predicate_counts().calls;
             voxel_image(delaunay, {}, voxel_grid(lattice, {0, 0}, counts), 1);
-            const auto asked = predicate_counts().asked - before;
-            EXPECT_LT(asked, 20 * (std::int64_t{counts.x} * counts.y + n)) << n << " " << counts.x;
+            const auto calls = predicate_counts().calls - before;
+            EXPECT_LT(calls, 20 * (std::int64_t{counts.x} * counts.y + n)) << n << " " << counts.x;
         }
     }
 }

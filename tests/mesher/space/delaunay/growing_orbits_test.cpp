@@ -19,7 +19,7 @@ bool has_small_periods(const Lattice& reduced) {
 
 Points first_columns(const Points& points, int n) { return points.leftCols(n); }
 
-/// Expects that insertion after the first sites gives what the mirrors give.
+/// Expects that insertion after the first sites gives the tetrahedra of the mirrors.
 void expect_growth(const Sites& sites, int n_first) {
     const Gram gram = gram_of(sites.reduction().reduced);
     const Sites few(sites.lattice(), sites.reduction(),

@@ -141,7 +141,7 @@ TEST(InSphere, TranslationsChangeNothing) {
     }
 }
 
-/// Of five points, the two triangulations of their hull are complementary: the rule picks one.
+/// The two triangulations of the hull of five points are complementary: the rule picks one.
 TEST(ViolatesDelaunay, PicksOneOfTwoTriangulations) {
     std::mt19937_64 random(4);
     int n_ties = 0;

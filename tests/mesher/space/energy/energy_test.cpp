@@ -241,7 +241,7 @@ TEST(TetrahedronBlock, AFlatTetrahedronCertifiesNoFacet) {
     }
 }
 
-/// The sum of the heights on both sides certifies the facets that one height alone leaves open.
+/// The sum of the heights on both sides certifies the facets that one height leaves open.
 TEST(Suspects, AreFewOfADelaunayTriangulation) {
     const Lattice cube = Lattice::box(1, 1, 1);
     for (const int n : {100, 3000}) {

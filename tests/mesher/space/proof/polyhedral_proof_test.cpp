@@ -82,7 +82,7 @@ TEST(ProvePolyhedra, NamesTheBrokenOrbit) {
     expect_refuted("(6)", [](PolyhedralMesh& mesh) { mesh.points[0].x() = std::nan(""); });
 }
 
-/// Two cubes that share an edge, or a corner, alone.
+/// Two cubes that share only an edge, or only a corner.
 TEST(BoundaryIsManifold, FindsPinchedEdgesAndPoints) {
     for (const Vec3& step : {Vec3(1, 1, 0), Vec3(1, 1, 1)}) {
         PolyhedralMesh mesh{{}, Lattice::box(9, 9, 9)};
