@@ -130,12 +130,13 @@ Eigen::VectorXd target_areas(const Job& job) {
                         job.in_plane().lattice.area());
 }
 
-/// The fixed sites, then random ones.
-JobStart start_after_fixed_sites(const Job& job, const ProgressCallback& callback) {
+/// The fixed sites, then those of a start.
+JobStart start_after_fixed_sites(const Job& job, const StartRow& row,
+                                 const ProgressCallback& callback) {
     Job others = job;
     others.n_sites -= static_cast<int>(job.in_plane().fixed.cols());
     JobStart start;
-    if (others.n_sites > 0) start = random_start(others, callback);
+    if (others.n_sites > 0) start = row.make(others, callback);
     plane::Points points(2, job.n_sites);
     points.leftCols(job.in_plane().fixed.cols()) = job.in_plane().fixed;
     points.rightCols(others.n_sites) = start.points;
@@ -251,16 +252,17 @@ std::span<const StartRow> start_rows() { return kStarts; }
 const StartRow& start_row(Start start) { return kStarts[static_cast<std::size_t>(start)]; }
 
 JobStart job_start(const Job& job, const ProgressCallback& callback) {
+    const StartRow& row = start_row(chosen_start(job));
     Eigen::VectorXd areas = target_areas(job);
     JobStart start;
     if (job.has_inclusions()) {
         start.numbering = plane::Numbering::kAsGiven;
     } else if (job.in_plane().fixed.cols() > 0) {
-        start = start_after_fixed_sites(job, callback);
+        start = start_after_fixed_sites(job, row, callback);
     } else if (job.n_given() > 0) {
         start.points = job.in_plane().points;
     } else {
-        start = start_row(chosen_start(job)).make(job, callback);
+        start = row.make(job, callback);
     }
     // Given areas belong to random places: numbers by columns would arrange sorted areas.
     const bool given = job.areas && job.areas->given.size() > 0;
