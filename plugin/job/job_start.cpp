@@ -37,20 +37,25 @@ JobStart random_start(const Job& job, const ProgressCallback& /*callback*/) {
     return start;
 }
 
+/// The options of a run with the callback of a start.
+RunOptions reporting_run(const Job& job, const ProgressCallback& callback) {
+    RunOptions run = job.run;
+    run.progress = callback;
+    return run;
+}
+
 JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
     const plane::CoarseStartOptions options{
-        .run = {.seed = job.seed, .n_threads = job.run.n_threads, .progress = callback},
-        .density = job.density,
-        .walls = job.walls};
+        .run = reporting_run(job, callback), .density = job.density, .walls = job.walls};
     JobStart start;
     start.precondition_below = plane::kPreconditionAfterCoarse;
     if (job.symmetry) {
         const plane::PlaneGroup group(*job.symmetry, job.in_plane().lattice);
-        start.symmetric = symmetric_coarse_start(group, plan_of(job, group), options);
+        start.symmetric = symmetric_coarse_start(group, plan_of(job, group), job.seed, options);
         start.cancelled = !start.symmetric;
         return start;
     }
-    start.points = coarse_start(job.in_plane().lattice, job.n_sites, options);
+    start.points = coarse_start(job.in_plane().lattice, job.n_sites, job.seed, options);
     start.cancelled = start.points.cols() == 0;
     return start;
 }
@@ -75,9 +80,9 @@ JobStart lattice_start(const Job& job, const ProgressCallback& /*callback*/) {
 
 JobStart best_start(const Job& job, const ProgressCallback& callback) {
     const int budget = job.budget > 0 ? job.budget : plane::default_search_budget(job.n_sites);
-    plane::SearchResult result = search_minimum(
-        job.in_plane().lattice, job.n_sites,
-        {.seed = job.seed, .budget = budget, .n_threads = job.run.n_threads, .progress = callback});
+    plane::SearchResult result =
+        search_minimum(job.in_plane().lattice, job.n_sites, job.seed,
+                       {.run = reporting_run(job, callback), .budget = budget});
     JobStart start;
     start.points = std::move(result.points);
     start.figures.pattern = pattern_figures(result.lattice);

@@ -17,8 +17,7 @@ namespace pcvt {
 namespace {
 
 JobMonitor::Target target_of(const Job& job) {
-    return {.tolerance = job.run.tolerance,
-            .max_iterations = job.run.max_iterations,
+    return {.run = job.run,
             .has_areas = job.areas.has_value(),
             .note = job.retries > 0 ? ", seed " + std::to_string(job.seed) : ""};
 }
