@@ -13,7 +13,6 @@
 #include "mesher/base/error.hpp"
 #include "mesher/plane/proof/generated_tile.hpp"
 #include "mesher/plane/proof/site_labels.hpp"
-#include "mesher/plane/tile/round_tile.hpp"
 #include "mesher/plane/tile/site_positions.hpp"
 #include "mesher/plane/tile/tile_equality.hpp"
 
@@ -108,13 +107,6 @@ void refuse_coarse_precision(const Format& format, const std::string& path, cons
 }
 
 }  // namespace
-
-void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& files) {
-    for (const EncodedFile& file : files) {
-        if (outputs.holds(file.path, file.bytes)) continue;
-        throw OutputError(file.path + ": the disk gives back other bytes than were written");
-    }
-}
 
 plane::TileProof prove_tile_file(const TileFile& file) { return prove_labels(file).proof; }
 

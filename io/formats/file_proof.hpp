@@ -3,21 +3,9 @@
 #include <vector>
 
 #include "io/formats/formats.hpp"
-#include "io/outputs/output_set.hpp"
 #include "mesher/finite_volume/mpas_grid_proof.hpp"
 
 namespace pcvt {
-
-/// Proves that the staged files read back from the disk as they were encoded, so that a proof of
-/// `files` is valid for the disk.
-///
-/// Example usage:
-///   for (const EncodedFile& file : files) outputs.stage(file.path, file.bytes);
-///   require_on_disk(outputs, files);
-///   prove_tile_files(format, files, tile, {0, 0});
-///
-/// @throws OutputError  the disk returns other bytes.
-void require_on_disk(const OutputSet& outputs, const std::vector<EncodedFile>& files);
 
 /// Proves the tile of a file: its laws, its stored pairs and its site ids.
 /// @throws NotATile naming the first fault.

@@ -256,12 +256,12 @@ std::string listed_extensions(const Chosen& chosen) {
 
 }  // namespace
 
-double FormatRequest::spacing() const { return std::sqrt(lattice.area() / (n_sites * n_periods)); }
+double FormatRequest::spacing() const { return std::sqrt(lattice.area() / n_all_sites()); }
 
 plane::VoxelCounts requested_voxels(const FormatRequest& request) {
     plane::VoxelCounts counts = request.files.voxels;
     if (counts.x == 0) {
-        counts = default_voxels(request.lattice, request.n_sites * request.n_periods);
+        counts = default_voxels(request.lattice, request.n_all_sites());
         counts.z = request.files.voxels.z;
     }
     voxel_grid(request.lattice, {0, 0}, counts);

@@ -15,7 +15,7 @@
 #include "io/run_files/cell_writer.hpp"
 #include "io/voxels/vti_reader.hpp"
 #include "mesher/finite_volume/mpas_grid.hpp"
-#include "mesher/plane/mesh/outline.hpp"
+#include "mesher/plane/mesh/tile_options.hpp"
 
 namespace pcvt {
 
@@ -61,21 +61,18 @@ using CellReader = bool(const std::vector<EncodedFile>& files, const CellRows& r
 struct FormatRequest {
     /// The lattice of the tile or torus, repetitions included.
     plane::Lattice lattice;
-    plane::MeshKind kind;
-    plane::Outline outline;
-    double short_edges;
+    /// How the tile of the file is made.
+    plane::TileOptions tile = {};
     /// The number of sites of one period.
     double n_sites = 1;
-    /// The numbers of periods in `lattice`.
-    double n_periods = 1;
     Walls walls = Walls::kNone;
     bool has_holes = false;
     /// Whether the cells are power cells.
     bool has_weights = false;
-    /// The corner of the domain.
-    plane::Vec2 origin = plane::Vec2::Zero();
     FileOptions files = {};
 
+    /// The number of all sites in `lattice`.
+    double n_all_sites() const { return n_sites * (double(tile.columns) * tile.rows); }
     /// The mean distance of the sites.
     double spacing() const;
 };
@@ -156,6 +153,14 @@ struct Format {
     /// The part of a tile in space that the format holds; `nullopt`: nothing.
     std::optional<SpaceFormat> space = {};
 
+    /// Whether its files hold the job of a solver.
+    bool holds_job(const FileOptions& options) const {
+        return takes_job && options.job != SolverJob::kNone;
+    }
+    /// Whether its files state the elastic constants that the options choose.
+    bool states_constants(const FileOptions& options) const {
+        return takes_constants && (!takes_job || holds_job(options));
+    }
     bool holds_single_precision(const FileOptions& options) const {
         return is_single_precision || (takes_single_precision && options.single_precision);
     }

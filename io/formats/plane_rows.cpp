@@ -58,7 +58,8 @@ void require_prisms(const FormatRequest& request) {
             "the thickness is not between 0.001 and 1000 times the mean distance of the sites, "
             "sqrt(area / n); take one nearer to it");
     }
-    if (request.outline == plane::Outline::kWhole || request.kind != plane::MeshKind::kVoronoi)
+    if (request.tile.outline == plane::Outline::kWhole ||
+        request.tile.kind != plane::MeshKind::kVoronoi)
         return;
     throw InvalidInput(
         "cells that the box cuts are too thin for finite volumes; take the whole outline, or the "
@@ -84,7 +85,7 @@ void require_mpas_torus(const FormatRequest& request) {
         throw InvalidInput(
             "MPAS meshes of pcvt cover the whole torus; leave the holes out, or take .vtu");
     }
-    if (request.short_edges > 0) {
+    if (request.tile.short_edges > 0) {
         throw InvalidInput("MPAS needs every Voronoi edge; remove no short edges");
     }
     rectangular_periods(request.lattice);

@@ -51,7 +51,7 @@ void require_floats(const FloatLengths& lengths) {
 void require_gltf_precision(const FormatRequest& request) { require_floats_of(request, 0); }
 
 void require_ply_precision(const FormatRequest& request) {
-    if (request.files.single_precision) require_floats_of(request, request.origin.norm());
+    if (request.files.single_precision) require_floats_of(request, request.tile.origin.norm());
 }
 
 }  // namespace pcvt

@@ -97,7 +97,7 @@ bool is_on_wall(const FileTileBuilder& file, const MidsideNode& edge, const plan
                 double tolerance) {
     const auto is_on = [&](const WallSideRow& row) {
         if (!has_walls_across(file.notes.walls, row.axis)) return false;
-        const double line = wall_line(row.side, lattice);
+        const double line = wall_line(row, lattice);
         return std::abs(file.points[edge.low][row.axis] - line) <= tolerance &&
                std::abs(file.points[edge.high][row.axis] - line) <= tolerance;
     };

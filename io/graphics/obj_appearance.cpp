@@ -105,7 +105,7 @@ bool is_on_wall(const plane::Tile& tile, SiteId site) {
     if (site < 0 || static_cast<std::size_t>(site) >= tile.site_positions.size()) return false;
     return std::any_of(kWallSides.begin(), kWallSides.end(), [&](const WallSideRow& row) {
         return has_walls_across(tile.walls, row.axis) &&
-               tile.site_positions[site][row.axis] == wall_line(row.side, tile.lattice);
+               tile.site_positions[site][row.axis] == wall_line(row, tile.lattice);
     });
 }
 

@@ -67,6 +67,14 @@ bool OutputSet::holds(const std::string& path, std::string_view bytes) const {
     }
 }
 
+void OutputSet::stage_and_compare(const std::vector<EncodedFile>& files) {
+    for (const EncodedFile& file : files) stage(file.path, file.bytes);
+    for (const EncodedFile& file : files) {
+        if (holds(file.path, file.bytes)) continue;
+        throw OutputError(file.path + ": the disk gives back other bytes than were written");
+    }
+}
+
 void OutputSet::add_move(FileMove::Kind kind, std::size_t run_file, const std::string& temporary,
                          const std::string& target, Plan& plan) const {
     const NameStatus fresh = status_of(temporary);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/encoded_file.hpp"
 #include "io/outputs/commit_locks.hpp"
 #include "io/outputs/file_moves.hpp"
 #include "io/outputs/journal.hpp"
@@ -50,6 +51,9 @@ class OutputSet {
     /// Returns whether the temporary file of `path`, which is staged, holds exactly these bytes.
     /// @throws OutputError if it cannot be read.
     bool holds(const std::string& path, std::string_view bytes) const;
+    /// Stages files and reads them back, so that a proof of `files` is valid for the disk.
+    /// @throws OutputError as stage(), and if the disk returns other bytes; Cancelled.
+    void stage_and_compare(const std::vector<EncodedFile>& files);
     /// Waits until no other set is committed in the folders of the targets. From then on until this
     /// set is committed or destroyed, no other one is.
     /// @param waiting  may be empty.

@@ -8,6 +8,7 @@
 #include "io/bytes/text.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cells/phase_fractions.hpp"
+#include "mesher/cells/set_names.hpp"
 
 namespace pcvt {
 namespace {
@@ -119,6 +120,15 @@ InclusionFile parse_inclusions(const std::string& name, std::string_view text) {
     if (file.inclusions.empty()) throw BadFile(name + ": holds no inclusion; " + kForms);
     require_distinct_tags(name, file.tags);
     return file;
+}
+
+void require_tag_names(const InclusionFile& file) {
+    std::vector<std::string> names = file.tags;
+    names.emplace_back(kMatrixTag);
+    for (const plane::Inclusion& inclusion : file.inclusions) {
+        const std::string where = file.name + ":" + std::to_string(inclusion.line) + ": the tag";
+        require_free_name(where, file.tags[inclusion.tag - 1], names);
+    }
 }
 
 plane::RandomCircles parse_fibres(std::string_view text) {

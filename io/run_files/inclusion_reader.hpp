@@ -41,6 +41,11 @@ InclusionFile parse_inclusions(const std::string& name, std::string_view text);
 /// Reads a regular file. @throws BadFile, LimitExceeded
 InclusionFile read_inclusions(const std::string& path);
 
+/// Requires that no tag has the name of a set, group or patch which files may contain beside those
+/// of the tags.
+/// @throws InvalidInput naming the first line with such a tag.
+void require_tag_names(const InclusionFile& file);
+
 /// Reads "FRACTION,N" or "FRACTION,N,GAP", such as 0.5,30.
 /// @throws InvalidInput with the remedy.
 plane::RandomCircles parse_fibres(std::string_view text);

@@ -5,8 +5,15 @@
 #include "mesher/base/error.hpp"
 #include "mesher/cells/orientations.hpp"
 #include "mesher/cells/phase_assignment.hpp"
+#include "mesher/cells/set_names.hpp"
 
 namespace pcvt {
+
+void require_phase_names(const MaterialChoices& choices) {
+    std::vector<std::string> names;
+    for (const PhaseFraction& phase : choices.phases) names.push_back(phase.name);
+    for (const std::string& phase : names) require_free_name("the phase", phase, names);
+}
 
 void require_orientations(const MaterialChoices& choices, int n_sites) {
     if (choices.orientations.empty()) return;

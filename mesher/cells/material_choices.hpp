@@ -41,6 +41,11 @@ struct PhaseFigures {
 CellMaterials choose_materials(const MaterialChoices& choices, const CellTable& cells,
                                std::uint64_t seed);
 
+/// Requires that no phase has the name of a set, group or patch which files may contain beside
+/// those of the phases.
+/// @throws InvalidInput naming the first such phase.
+void require_phase_names(const MaterialChoices& choices);
+
 /// @throws InvalidInput if there are orientations, but not n_sites.
 void require_orientations(const MaterialChoices& choices, int n_sites);
 

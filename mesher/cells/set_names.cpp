@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "mesher/base/error.hpp"
+
 namespace pcvt {
 namespace {
 
@@ -92,6 +94,14 @@ std::optional<std::string> set_with_name(std::string_view name,
         return lower + ", the sides of elements on a wall";
     }
     return std::nullopt;
+}
+
+void require_free_name(const std::string& kind, const std::string& name,
+                       const std::vector<std::string>& names) {
+    const std::optional<std::string> set = set_with_name(name, names);
+    if (!set) return;
+    throw InvalidInput(kind + " " + name + " has the name of a set in files (" + *set +
+                       "); rename it");
 }
 
 }  // namespace pcvt

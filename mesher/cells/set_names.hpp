@@ -69,4 +69,10 @@ std::span<const SetName> set_names();
 std::optional<std::string> set_with_name(std::string_view name,
                                          const std::vector<std::string>& names);
 
+/// Requires that a phase or a tag does not have the name of a set in files.
+/// @param kind  what has the name, in words: "the phase".
+/// @throws InvalidInput naming the set.
+void require_free_name(const std::string& kind, const std::string& name,
+                       const std::vector<std::string>& names);
+
 }  // namespace pcvt

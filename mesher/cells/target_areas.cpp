@@ -153,6 +153,11 @@ Eigen::VectorXd scaled_areas(const Eigen::VectorXd& areas, int n_sites, double t
     return relative * (total / relative.sum());
 }
 
+std::optional<double> area_scale(const Eigen::VectorXd& areas, double total) {
+    const double scale = total / areas.sum();
+    return std::isfinite(scale) && scale > 0 ? std::optional(scale) : std::nullopt;
+}
+
 double diameter_spread(const Eigen::VectorXd& areas) {
     const Eigen::ArrayXd diameters = (areas.array() / areas.maxCoeff()).sqrt();
     const double mean = diameters.mean();

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace pcvt {
@@ -46,6 +47,10 @@ Eigen::VectorXd areas_of_diameters(const Eigen::VectorXd& diameters);
 /// @throws InvalidInput naming the first area that is not a positive finite number or is below
 ///         kLeastArea times the mean, or if there are not n_sites areas.
 Eigen::VectorXd scaled_areas(const Eigen::VectorXd& areas, int n_sites, double total);
+
+/// The factor by which scaled_areas() multiplies areas; `nullopt` where it is no positive finite
+/// number.
+std::optional<double> area_scale(const Eigen::VectorXd& areas, double total);
 
 /// Standard deviation (of a population) over mean of the equivalent diameters of cells.
 double diameter_spread(const Eigen::VectorXd& areas);

@@ -1,6 +1,7 @@
 #include "mesher/cvt/coarse_levels.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "mesher/portable/portable_functions.hpp"
 
@@ -28,11 +29,12 @@ double n_all_sites(const LevelSizes& sizes, const std::vector<int>& orbits) {
 
 }  // namespace
 
-CoarseLevels::CoarseLevels(const LevelGrowth& growth, const LevelSizes& sizes,
-                           const CoarseRunOptions& options)
+CoarseLevels::CoarseLevels(const LevelGrowth& growth, const LevelSizes& sizes, std::uint64_t seed,
+                           RunOptions run)
     : growth_(growth),
       sizes_(sizes),
-      options_(options),
+      seed_(seed),
+      run_(std::move(run)),
       orbits_(levels(growth, sizes.n_orbits)),
       done_(sizes.n_sites(orbits_.front()), n_all_sites(sizes, orbits_), kCoarseTolerance) {}
 
@@ -50,11 +52,11 @@ double CoarseLevels::energy_scale() const {
 
 RunOptions CoarseLevels::run() {
     return {.tolerance = 0,
-            .n_threads = options_.n_threads,
+            .n_threads = run_.n_threads,
             .progress = [this, scale = energy_scale()](Progress progress) {
                 progress.value *= scale;
                 progress.share = done_.at(progress.rms_residual);
-                cancelled_ = options_.progress && !options_.progress(progress);
+                cancelled_ = run_.progress && !run_.progress(progress);
                 return !cancelled_ && progress.rms_residual > kCoarseTolerance;
             }};
 }

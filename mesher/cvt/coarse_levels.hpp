@@ -11,16 +11,6 @@
 
 namespace pcvt {
 
-/// The options that coarse starts of the plane and of space share.
-struct CoarseRunOptions {
-    std::uint64_t seed = 0;
-    /// At least 1. The result does not depend on it.
-    int n_threads = 1;
-    /// Called once per iteration of the coarser problems, with energies scaled to n sites and the
-    /// share of the work of all these problems that is done; returning false cancels.
-    ProgressCallback progress = {};
-};
-
 /// The RMS residual at which a coarser problem is left for the next one.
 inline constexpr double kCoarseTolerance = 1e-4;
 
@@ -66,8 +56,8 @@ struct LevelSizes {
 ///
 /// Example usage:
 ///
-///     CoarseLevels levels(growth, {.n_orbits = n}, options);
-///     Points points = uniform_points(lattice, levels.n_coarsest(), options.seed);
+///     CoarseLevels levels(growth, {.n_orbits = n}, seed, {.n_threads = 2});
+///     Points points = uniform_points(lattice, levels.n_coarsest(), seed);
 ///     while (levels.next()) {
 ///         const CvtResult result = compute_cvt(lattice, points, {levels.run()});
 ///         if (levels.cancelled()) return {};
@@ -75,9 +65,11 @@ struct LevelSizes {
 ///     }
 class CoarseLevels {
    public:
-    /// @param options  must outlive this object.
-    CoarseLevels(const LevelGrowth& growth, const LevelSizes& sizes,
-                 const CoarseRunOptions& options);
+    /// @param run  the threads, and the callback, which is called once per iteration of the coarser
+    ///             problems, with energies scaled to n sites and the share of the work of all these
+    ///             problems that is done; returning false cancels.
+    CoarseLevels(const LevelGrowth& growth, const LevelSizes& sizes, std::uint64_t seed,
+                 RunOptions run);
     CoarseLevels(const CoarseLevels&) = delete;
     CoarseLevels& operator=(const CoarseLevels&) = delete;
 
@@ -95,7 +87,7 @@ class CoarseLevels {
 
     /// The number of orbits on the next level, and the seed for refining the sites of this one.
     int n_finer() const { return orbits_[level_ + 1]; }
-    std::uint64_t seed() const { return options_.seed + static_cast<std::uint64_t>(n_finer()); }
+    std::uint64_t seed() const { return seed_ + static_cast<std::uint64_t>(n_finer()); }
 
    private:
     /// The factor that turns an energy of this level into one of the finest.
@@ -103,7 +95,8 @@ class CoarseLevels {
 
     LevelGrowth growth_;
     LevelSizes sizes_;
-    const CoarseRunOptions& options_;
+    std::uint64_t seed_;
+    RunOptions run_;
     /// The numbers of orbits of all levels, the coarsest first.
     std::vector<int> orbits_;
     LevelShare done_;

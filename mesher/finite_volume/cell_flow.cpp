@@ -6,8 +6,8 @@
 #include <span>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/plane/geometry/face_polygon.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
-#include "mesher/plane/tile/face_polygon.hpp"
 #include "mesher/space/mesh/cell_faces.hpp"
 
 namespace pcvt {
@@ -101,7 +101,7 @@ class Dissipation {
     /// @pre the wall is a side of the domain.
     void add_wall(const FiniteVolumePatch& patch) {
         const WallSideRow& row = *find_wall_side(patch.name);
-        const double line = wall_line(row.side, lattice_);
+        const double line = wall_line(row, lattice_);
         for (int f = patch.first_face; f < patch.end_face(); ++f) {
             const int owner = extruded_.owner[f];
             const double distance = std::abs(line - shapes_.centroids[owner][row.axis]);

@@ -196,7 +196,7 @@ void require_on_side(const FiniteVolumePatch& patch, const WallSideRow& row,
     if (!is_upright(tile.lattice)) {
         throw_violation(kWallPatches, "walls need the period vectors (width, 0) and (0, height)");
     }
-    const double line = wall_line(row.side, tile.lattice);
+    const double line = wall_line(row, tile.lattice);
     for (std::size_t k = 0; k < feet.size(); ++k) {
         if (tile.points[feet[k].v][row.axis] == line && tile.points[feet[k].w][row.axis] == line) {
             continue;

@@ -80,7 +80,7 @@ enum class WallSide { kLeft, kRight, kBottom, kTop };
 ///
 /// Example usage:
 ///   const WallSideRow& row = wall_side_row(edge.side);
-///   assert(tile.points[edge.v0][row.axis] == wall_line(edge.side, tile.lattice));
+///   assert(tile.points[edge.v0][row.axis] == wall_line(row, tile.lattice));
 struct WallSideRow {
     WallSide side;
     /// The name of its patch, group or set in every format.

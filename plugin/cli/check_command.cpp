@@ -39,14 +39,13 @@ void read_cvt(const CLI::App& app, const CheckOptions& options, Question& questi
 }
 
 /// The density itself waits for the lattice of each file.
-void read_density(const CLI::App& app, const CheckOptions& options, Question& question) {
+TypedDensity read_density(const CLI::App& app, const CheckOptions& options, bool has_cvt) {
     const bool given = app.count("--density") > 0;
-    if (given && !question.cvt_tolerance) throw InvalidInput("--density is for --cvt; add that");
+    if (given && !has_cvt) throw InvalidInput("--density is for --cvt; add that");
     if (!given && app.count("--density-range") > 0) {
         throw InvalidInput("--density-range is for --density FILE.png; give one");
     }
-    question.density = options.density;
-    question.density_range = options.density_range;
+    return options.density;
 }
 
 /// The file of areas is read once for all files.
@@ -74,7 +73,7 @@ Question make_question(const CLI::App& app, const CheckOptions& options) {
     }
     read_cvt(app, options, question);
     for (std::string& path : question.files) path = without_slash(path);
-    read_density(app, options, question);
+    question.density = read_density(app, options, question.cvt_tolerance.has_value());
     read_areas_option(app, options, question);
     if (app.count("--inclusions") > 0) question.inclusions = read_inclusions(options.inclusions);
     if (question.files.empty()) throw InvalidInput("no file to check; give one or more");
@@ -124,10 +123,10 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
                    "`pcvt mesh --inclusions FILE`, that the outline consists of edges of\n"
                    "cells, and that the cells inside have its tag and its area")
         ->type_name("FILE");
-    app.add_option("--density", options.density,
+    app.add_option("--density", options.density.formula,
                    "of the centroids of --cvt, as for `pcvt mesh`, in the file's lattice")
         ->type_name("EXPR|FILE.png");
-    app.add_option("--density-range", options.density_range, "as for `pcvt mesh`")
+    app.add_option("--density-range", options.density.range, "as for `pcvt mesh`")
         ->type_name("LO,HI");
     app.footer(
         "Rebuilds the seam from positions and lattice alone and compares it with the stored one:\n"

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "plugin/cli/check_proof.hpp"
 #include "plugin/cli/exit_code.hpp"
 
 namespace CLI {
@@ -20,8 +21,7 @@ struct CheckOptions {
     std::string cvt;
     std::string areas;
     std::string inclusions;
-    std::string density;
-    std::string density_range;
+    TypedDensity density;
 };
 
 /// Gives `app` the options, its description and its examples; parsing fills `options`.

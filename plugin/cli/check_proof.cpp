@@ -68,10 +68,10 @@ double resolved(const TileFile& file, const plane::TileProof& proof, double tole
 
 double prove_voronoi(const TileFile& file, const plane::TileProof& proof, const Question& question,
                      double tolerance) {
-    if (question.density.empty()) return prove_voronoi(file.tile, proof, tolerance);
+    if (question.density.formula.empty()) return prove_voronoi(file.tile, proof, tolerance);
     const plane::Lattice& lattice = file.tile.lattice;
     const plane::Density density =
-        density_option(question.density, question.density_range, lattice);
+        density_option(question.density.formula, question.density.range, lattice);
     const plane::CellQuadrature quadrature(density);
     plane::DensityProbe probe(lattice, density.make_function());
     return prove_voronoi(file.tile, proof, tolerance, [&](const plane::Polygon& polygon) {
@@ -232,8 +232,8 @@ std::string prove_voxel_image(VoxelReader* read, const Format& format, const std
 /// The proof of a tile in space as a line.
 std::string prove_tile_in_space(const std::string& path, const std::vector<EncodedFile>& files,
                                 const Question& question) {
-    const bool of_the_plane =
-        question.lattice || question.areas || question.inclusions || !question.density.empty();
+    const bool of_the_plane = question.lattice || question.areas || question.inclusions ||
+                              !question.density.formula.empty();
     if (of_the_plane) {
         throw BadFile(
             path +

@@ -10,6 +10,13 @@
 
 namespace pcvt::cli {
 
+/// The options of a density as they were typed, which wait for the lattice of each file.
+struct TypedDensity {
+    /// Empty: rho = 1.
+    std::string formula = {};
+    std::string range = {};
+};
+
 /// The files to check, and the properties that each must have.
 struct Question {
     std::vector<std::string> files;
@@ -22,9 +29,7 @@ struct Question {
     std::optional<InclusionFile> inclusions = {};
     /// The tolerance of positions, length units; 0: the precision of each file.
     double tolerance = 0;
-    /// As typed; empty: rho = 1.
-    std::string density = {};
-    std::string density_range = {};
+    TypedDensity density = {};
 };
 
 /// Proves one file. Returns a line that states the proved properties.

@@ -46,15 +46,16 @@ std::optional<StudyTable> run_watched(const StudyRequest& request, bool quiet) {
                      });
 }
 
-MergedStudy merge_files(const StudyRequest& request) {
+/// @param name  of the study, which the files must be of.
+MergedStudy merge_files(const std::string& name, const std::vector<std::string>& files) {
     std::vector<NamedRuns> parts;
-    for (const std::string& file : request.merge) {
+    for (const std::string& file : files) {
         parts.push_back({file, decode_csv(file, read_whole_file(file, kTableInput))});
     }
     MergedStudy merged = merge_runs(parts);
-    if (merged.study.name != request.study.name) {
-        throw BadFile(request.merge[0] + ": runs of " + merged.study.name + ", not of " +
-                      request.study.name + "; name that study");
+    if (merged.study.name != name) {
+        throw BadFile(files[0] + ": runs of " + merged.study.name + ", not of " + name +
+                      "; name that study");
     }
     return merged;
 }
@@ -81,7 +82,7 @@ std::vector<std::string> write_files(const MergedStudy& done, const StudyResult&
 ExitCode run_to_the_end(const StudyRequest& request, const StudyOptions& options) {
     const StudyRecipe& recipe = find_study_recipe(request.study.name);
     const std::vector<StudyFile> files =
-        plan_study_files(options.outputs, recipe.name, request.shard, request.merge);
+        plan_study_files(options.outputs, recipe.name, request.shard, options.merge);
     std::vector<std::string> paths;
     for (const StudyFile& file : files) paths.push_back(file.path);
     if (!options.quiet) print_recovered(recover_unfinished(paths));
@@ -91,12 +92,12 @@ ExitCode run_to_the_end(const StudyRequest& request, const StudyOptions& options
     }
 
     MergedStudy done{request.study, {}};
-    if (request.merge.empty()) {
+    if (options.merge.empty()) {
         std::optional<StudyTable> runs = run_watched(request, options.quiet);
         if (!runs) return cancelled();
         done.runs = std::move(*runs);
     } else {
-        done = merge_files(request);
+        done = merge_files(request.study.name, options.merge);
     }
     const bool is_part = request.shard.count > 1;
     const StudyResult result =

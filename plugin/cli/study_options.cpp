@@ -141,10 +141,7 @@ StudyRequest make_study_request(const CLI::App& app, const StudyOptions& options
     }
     StudyRequest request;
     request.study = find_study_recipe(options.name).standard;
-    if (app.count("--merge") > 0) {
-        refuse_beside_merge(app);
-        request.merge = options.merge;
-    }
+    if (app.count("--merge") > 0) refuse_beside_merge(app);
     if (app.count("--sites") > 0) request.study.sites = site_numbers(options.sites);
     if (app.count("--runs") > 0) {
         request.study.runs = whole_number("--runs", options.runs, 1, kMostRuns);

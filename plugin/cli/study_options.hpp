@@ -32,12 +32,11 @@ struct StudyOptions {
 ///   const StudyRequest request = make_study_request(app, options);
 void add_study_options(CLI::App& app, StudyOptions& options);
 
-/// The study to compute or to merge.
+/// The study to compute, or to merge from files.
 struct StudyRequest {
+    /// Of a study to merge, only the name.
     Study study;
     StudyShard shard;
-    /// If not empty, the study comes from these files, and `study` has only the name.
-    std::vector<std::string> merge;
     int n_threads = 1;
 };
 

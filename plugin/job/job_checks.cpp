@@ -6,9 +6,9 @@
 
 #include "io/bytes/nearest_word.hpp"
 #include "io/bytes/text.hpp"
-#include "io/forms/tile_file.hpp"
+#include "io/run_files/inclusion_reader.hpp"
 #include "mesher/base/choices.hpp"
-#include "mesher/cells/set_names.hpp"
+#include "mesher/cells/material_choices.hpp"
 #include "mesher/plane/interfaces/inclusion_set.hpp"
 #include "mesher/plane/interfaces/interface_nodes.hpp"
 #include "mesher/plane/symmetry/special_positions.hpp"
@@ -111,42 +111,16 @@ void check_aspect(const Job& job) {
     }
 }
 
+/// Requires that the lattice fits the plane group, in the metric as well.
 void check_symmetry(const Job& job) {
     if (!job.symmetry) return;
     const plane::PlaneGroup group(*job.symmetry, job.in_plane().lattice);
-    distribute(group, special_positions(group), job.n_sites);
     if (!job.aspect) return;
     try {
         const plane::PlaneGroup round(*job.symmetry,
                                       metric_of(job).to_round(job.in_plane().lattice));
     } catch (const InvalidInput& error) {
         throw InvalidInput(std::string("elongated by the aspect: ") + error.what());
-    }
-}
-
-/// @param kind   what has the name, in words.
-/// @param names  of all phases and tags.
-void require_free_name(const std::string& kind, const std::string& name,
-                       const std::vector<std::string>& names) {
-    const std::optional<std::string> set = set_with_name(name, names);
-    if (!set) return;
-    throw InvalidInput(kind + " " + name + " has the name of a set in files (" + *set +
-                       "); rename it");
-}
-
-/// Requires names that no set, group or patch has which files may contain beside those of the
-/// names.
-void check_names(const Job& job) {
-    std::vector<std::string> names;
-    for (const PhaseFraction& phase : job.materials.phases) names.push_back(phase.name);
-    for (const std::string& phase : names) require_free_name("the phase", phase, names);
-    if (!job.inclusions) return;
-    names = job.inclusions->tags;
-    names.emplace_back(kMatrixTag);
-    for (const plane::Inclusion& inclusion : job.inclusions->inclusions) {
-        const std::string where =
-            job.inclusions->name + ":" + std::to_string(inclusion.line) + ": the tag";
-        require_free_name(where, job.inclusions->tags[inclusion.tag - 1], names);
     }
 }
 
@@ -176,39 +150,31 @@ void check_holes(const Job& job) {
     }
 }
 
-/// Of fewer seeds, the placement itself is fast, and names a number of sites that suffices.
-constexpr double kManySeeds = 10'000;
-
-/// Refuses a number of sites that cannot suffice for the outlines of many shapes, before any work.
-void require_sites(const Job& job, double fewest) {
-    if (job.n_sites >= fewest || fewest < kManySeeds) return;
-    throw InvalidInput(
-        std::to_string(job.n_sites) + " sites are too few for the inclusions; take " +
-        std::to_string(static_cast<long>(fewest)) + " or more, the least that their outlines need");
+void check_fixed_sites(const Job& job) {
+    if (job.in_plane().fixed.cols() <= job.n_sites) return;
+    throw InvalidInput("there are more fixed sites (" +
+                       std::to_string(job.in_plane().fixed.cols()) + ") than sites (" +
+                       std::to_string(job.n_sites) + "); take more sites");
 }
 
-/// Checks the fixed sites and the inclusions of a job, if it has some.
+/// Requires that there are sites and room for the inclusions, and orbits for the sites.
 void check_constraints(const Job& job) {
-    check_names(job);
-    check_holes(job);
-    if (job.in_plane().fixed.cols() > job.n_sites) {
-        throw InvalidInput("there are more fixed sites (" +
-                           std::to_string(job.in_plane().fixed.cols()) + ") than sites (" +
-                           std::to_string(job.n_sites) + "); take more sites");
+    if (job.inclusions) {
+        const std::vector<plane::Inclusion>& shapes = job.inclusions->inclusions;
+        naming_inclusions(job, [&] {
+            double n_seeds = 0;
+            for (const plane::Inclusion& shape : shapes) n_seeds += fewest_seeds(shape.shape);
+            plane::require_enough_sites(job.n_sites, n_seeds);
+            return plane::InclusionSet(job.in_plane().lattice, shapes, job.walls);
+        });
+    } else if (job.fibres) {
+        const plane::Circle fibre{.centre = {0, 0}, .radius = 1};
+        plane::require_enough_sites(job.n_sites, job.fibres->n * fewest_seeds(fibre));
     }
-    if (!job.has_inclusions()) return;
-    if (job.fibres) {
-        require_sites(job,
-                      job.fibres->n * fewest_seeds(plane::Circle{.centre = {0, 0}, .radius = 1}));
-        return;
+    if (job.symmetry) {
+        const plane::PlaneGroup group(*job.symmetry, job.in_plane().lattice);
+        distribute(group, special_positions(group), job.n_sites);
     }
-    const std::vector<plane::Inclusion>& shapes = job.inclusions->inclusions;
-    double fewest = 0;
-    for (const plane::Inclusion& inclusion : shapes) fewest += fewest_seeds(inclusion.shape);
-    naming_inclusions(job, [&] {
-        require_sites(job, fewest);
-        return plane::InclusionSet(job.in_plane().lattice, shapes, job.walls);
-    });
 }
 
 }  // namespace
@@ -240,21 +206,26 @@ void check_job(const Job& job) {
         check_short_edges(job);
         return;
     }
+    // What follows from the options themselves.
     check_aspect(job);
     const double n = job.n_wanted();
     check_symmetry(job);
-    check_constraints(job);
+    check_fixed_sites(job);
     if (job.run.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
     check_short_edges(job);
     check_repetition(job);
     check_stability(job);
-    require_orientations(job.materials, static_cast<int>(n));
     check_meshes(job);
     if (n * job.tile.columns * job.tile.rows > plane::kMostSites) {
         throw LimitExceeded("more than " + std::to_string(plane::kMostSites) +
                             " cells in one tile; take fewer sites or repeat less often");
     }
     check_origin(job, reduce_repeated(job), n);
+    check_holes(job);
+    if (job.inclusions) require_tag_names(*job.inclusions);
+    require_phase_names(job.materials);
+    require_orientations(job.materials, job.n_wanted());
+    check_constraints(job);
 }
 
 }  // namespace pcvt

@@ -88,8 +88,7 @@ double mesh_bytes(const Job& job, plane::MeshKind kind, const FormatMemory& byte
 }
 
 double voxel_bytes(const Job& job) {
-    const plane::VoxelCounts counts =
-        requested_voxels(format_request(job, plane::MeshKind::kVoronoi));
+    const plane::VoxelCounts counts = requested_voxels(format_request(job));
     return double(counts.x) * counts.y * (kVoxel + kVoxelOfALayer * (counts.z - 1));
 }
 

@@ -83,9 +83,9 @@ void JobMonitor::begin_optimising() {
 }
 
 std::string JobMonitor::optimising_words() const {
-    if (!target_.has_areas || target_.max_iterations < 0) return "optimising" + target_.note;
+    if (!target_.has_areas || target_.run.max_iterations < 0) return "optimising" + target_.note;
     if (first_residual_ < 0) return "fitting the areas";
-    const int n = target_.max_iterations;
+    const int n = target_.run.max_iterations;
     return "centroidal step " + std::to_string(std::min(now_.run.iteration + 1, n)) + " of " +
            std::to_string(n);
 }
@@ -94,7 +94,7 @@ void JobMonitor::newton_step(int step, double error) {
     begin_optimising();
     if (first_error_ < 0) first_error_ = error;
     now_.text = optimising_words() + ", Newton step " + std::to_string(step);
-    if (target_.max_iterations == 0) {
+    if (target_.run.max_iterations == 0) {
         const double share = share_of_digits(first_error_, error, kAreaGoal);
         now_.fraction = std::clamp(share, now_.fraction, 1.0);
     }
@@ -105,9 +105,9 @@ void JobMonitor::newton_step(int step, double error) {
 bool JobMonitor::iteration(const Progress& progress) {
     begin_optimising();
     if (first_residual_ < 0) first_residual_ = progress.residual;
-    double share = share_of_digits(first_residual_, progress.residual, target_.tolerance);
-    if (target_.max_iterations > 0) {
-        share = std::max(share, double(progress.iteration) / target_.max_iterations);
+    double share = share_of_digits(first_residual_, progress.residual, target_.run.tolerance);
+    if (target_.run.max_iterations > 0) {
+        share = std::max(share, double(progress.iteration) / target_.run.max_iterations);
     }
     now_.fraction = std::clamp(share, now_.fraction, 1.0);
     now_.run = progress;

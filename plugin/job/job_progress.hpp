@@ -37,7 +37,7 @@ using JobCallback = std::function<bool(const JobProgress&)>;
 /// while it lives, and so do all threads that help it: each checkpoint of theirs ends a cancelled
 /// run.
 ///
-///   JobMonitor monitor(callback, {.tolerance = 1e-6});
+///   JobMonitor monitor(callback, {.run = {.tolerance = 1e-6}});
 ///   compute_cvt(lattice, points, {{.progress = [&](auto& p) { return monitor.iteration(p); }}});
 ///   monitor.watch([&] {
 ///       monitor.begin(Phase::kBuilding, "building the tile");
@@ -47,11 +47,8 @@ class JobMonitor final : public Client {
    public:
     /// The ends of the optimisation, from which its fraction follows.
     struct Target {
-        double tolerance = 0;
-        /// Negative: no limit.
-        int max_iterations = -1;
-        /// Whether the areas of the cells are prescribed; `max_iterations` then counts centroidal
-        /// steps.
+        RunOptions run = {.tolerance = 0};
+        /// Whether the areas of the cells are prescribed; the iterations are then centroidal steps.
         bool has_areas = false;
         /// Follows the words of the optimisation, ", seed 4".
         std::string note = {};

@@ -6,7 +6,6 @@
 #include <mutex>
 
 #include "io/bytes/output_error.hpp"
-#include "io/formats/file_proof.hpp"
 #include "mesher/base/workers.hpp"
 
 namespace pcvt {
@@ -69,8 +68,7 @@ void stage_file(const FileContent& content, const JobFile& file, FileProgress& p
     progress.add(kEncoding);
     content.prove(file, encoded);
     progress.add(kProving);
-    for (const EncodedFile& part : encoded) outputs.stage(part.path, part.bytes);
-    require_on_disk(outputs, encoded);
+    outputs.stage_and_compare(encoded);
     progress.add(kStaging);
 }
 

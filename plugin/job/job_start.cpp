@@ -37,20 +37,25 @@ JobStart random_start(const Job& job, const ProgressCallback& /*callback*/) {
     return start;
 }
 
+/// The options of a run with the callback of a start.
+RunOptions reporting_run(const Job& job, const ProgressCallback& callback) {
+    RunOptions run = job.run;
+    run.progress = callback;
+    return run;
+}
+
 JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
     const plane::CoarseStartOptions options{
-        .run = {.seed = job.seed, .n_threads = job.run.n_threads, .progress = callback},
-        .density = job.density,
-        .walls = job.walls};
+        .run = reporting_run(job, callback), .density = job.density, .walls = job.walls};
     JobStart start;
     start.precondition_below = plane::kPreconditionAfterCoarse;
     if (job.symmetry) {
         const plane::PlaneGroup group(*job.symmetry, job.in_plane().lattice);
-        start.symmetric = symmetric_coarse_start(group, plan_of(job, group), options);
+        start.symmetric = symmetric_coarse_start(group, plan_of(job, group), job.seed, options);
         start.cancelled = !start.symmetric;
         return start;
     }
-    start.points = coarse_start(job.in_plane().lattice, job.n_sites, options);
+    start.points = coarse_start(job.in_plane().lattice, job.n_sites, job.seed, options);
     start.cancelled = start.points.cols() == 0;
     return start;
 }
@@ -75,9 +80,9 @@ JobStart lattice_start(const Job& job, const ProgressCallback& /*callback*/) {
 
 JobStart best_start(const Job& job, const ProgressCallback& callback) {
     const int budget = job.budget > 0 ? job.budget : plane::default_search_budget(job.n_sites);
-    plane::SearchResult result = search_minimum(
-        job.in_plane().lattice, job.n_sites,
-        {.seed = job.seed, .budget = budget, .n_threads = job.run.n_threads, .progress = callback});
+    plane::SearchResult result =
+        search_minimum(job.in_plane().lattice, job.n_sites, job.seed,
+                       {.run = reporting_run(job, callback), .budget = budget});
     JobStart start;
     start.points = std::move(result.points);
     start.figures.pattern = pattern_figures(result.lattice);
@@ -130,12 +135,13 @@ Eigen::VectorXd target_areas(const Job& job) {
                         job.in_plane().lattice.area());
 }
 
-/// The fixed sites, then random ones.
-JobStart start_after_fixed_sites(const Job& job, const ProgressCallback& callback) {
+/// The fixed sites, then those of a start.
+JobStart start_after_fixed_sites(const Job& job, const StartRow& row,
+                                 const ProgressCallback& callback) {
     Job others = job;
     others.n_sites -= static_cast<int>(job.in_plane().fixed.cols());
     JobStart start;
-    if (others.n_sites > 0) start = random_start(others, callback);
+    if (others.n_sites > 0) start = row.make(others, callback);
     plane::Points points(2, job.n_sites);
     points.leftCols(job.in_plane().fixed.cols()) = job.in_plane().fixed;
     points.rightCols(others.n_sites) = start.points;
@@ -251,16 +257,17 @@ std::span<const StartRow> start_rows() { return kStarts; }
 const StartRow& start_row(Start start) { return kStarts[static_cast<std::size_t>(start)]; }
 
 JobStart job_start(const Job& job, const ProgressCallback& callback) {
+    const StartRow& row = start_row(chosen_start(job));
     Eigen::VectorXd areas = target_areas(job);
     JobStart start;
     if (job.has_inclusions()) {
         start.numbering = plane::Numbering::kAsGiven;
     } else if (job.in_plane().fixed.cols() > 0) {
-        start = start_after_fixed_sites(job, callback);
+        start = start_after_fixed_sites(job, row, callback);
     } else if (job.n_given() > 0) {
         start.points = job.in_plane().points;
     } else {
-        start = start_row(chosen_start(job)).make(job, callback);
+        start = row.make(job, callback);
     }
     // Given areas belong to random places: numbers by columns would arrange sorted areas.
     const bool given = job.areas && job.areas->given.size() > 0;

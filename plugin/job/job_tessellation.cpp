@@ -20,10 +20,8 @@ plane::TaggedInclusions inclusions_of(const Job& job) {
         inclusions.shapes = job.inclusions->inclusions;
         return inclusions;
     }
-    plane::RandomCircles wanted = *job.fibres;
-    wanted.seed = job.seed;
-    wanted.walls = job.walls;
-    inclusions.shapes = circular_inclusions(random_circles(job.in_plane().lattice, wanted), 1);
+    inclusions.shapes = circular_inclusions(
+        random_circles(job.in_plane().lattice, *job.fibres, job.seed, job.walls), 1);
     return inclusions;
 }
 

@@ -6,7 +6,6 @@
 
 #include "io/formats/file_proof.hpp"
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/plane/mesh/valence.hpp"
 #include "mesher/plane/symmetry/folded_density.hpp"
 #include "mesher/plane/tessellation/tags.hpp"
 #include "plugin/job/job_start.hpp"
@@ -17,30 +16,6 @@
 namespace pcvt {
 namespace {
 
-/// The factor by which target_areas() multiplies given areas.
-std::optional<double> area_scale(const Job& job) {
-    const Eigen::VectorXd& given = job.areas->given;
-    if (given.size() == 0) return std::nullopt;
-    const double scale = job.in_plane().lattice.area() / given.sum();
-    return std::isfinite(scale) && scale > 0 ? std::optional(scale) : std::nullopt;
-}
-
-/// Adds the figures of the cells to the summary.
-void add_figures(const Job& job, const plane::Tessellation& cells, RunSummary& summary) {
-    summary.n_sites = cells.n_sites();
-    if (!cells.density) summary.energy_bound = energy_bound(cells);
-    summary.n_mirrors = cells.counts.n_mirrors;
-    summary.valences = plane::histogram(cell_sides(cells));
-    summary.density = cells.density;
-    if (cells.areas) {
-        summary.areas = area_summary(cells);
-        summary.areas->scale = area_scale(job);
-    }
-    summary.n_orbits = cells.n_orbits();
-    if (cells.walled) summary.n_on_walls = cells.walled->n_on_walls;
-    summary.interfaces = cells.interfaces;
-}
-
 /// Evaluated before any file is written, because a host's density ends with its call.
 std::vector<double> site_densities(const Job& job, const plane::Tessellation& cells) {
     if (!job.density) return {};
@@ -49,17 +24,6 @@ std::vector<double> site_densities(const Job& job, const plane::Tessellation& ce
         job.symmetry ? folded_density(*job.density, plane::PlaneGroup(*job.symmetry, lattice))
                      : *job.density;
     return densities_at(density, lattice, wrapped_sites(cells, job.tile.origin));
-}
-
-void add_materials(const Job& job, Computation<PlaneWorld>& computation) {
-    if (job.has_inclusions()) {
-        computation.materials = tag_materials(computation.cells);
-        computation.phases = tag_figures(computation.cells);
-        return;
-    }
-    const CellTable& cells = computation.cells.table();
-    computation.materials = choose_materials(job.materials, cells, job.seed);
-    computation.phases = phase_figures(job.materials, computation.materials, cells);
 }
 
 /// Encodes the files of a job, each in the form that its format writes, and proves them.
@@ -118,8 +82,7 @@ class PlaneContent {
         return write(cell_rows(), file.path());
     }
     std::vector<EncodedFile> encode(const JobFile& file, VoxelWriter* write) const {
-        const plane::VoxelCounts counts =
-            requested_voxels(format_request(job_, plane::MeshKind::kVoronoi));
+        const plane::VoxelCounts counts = requested_voxels(format_request(job_));
         const plane::Lattice& lattice = job_.in_plane().lattice;
         const plane::VoxelGrid grid = voxel_grid(
             lattice.repeated(job_.tile.columns, job_.tile.rows), job_.tile.origin, counts);
@@ -207,10 +170,12 @@ Computation<PlaneWorld> PlaneWorld::compute(const Job& job, JobMonitor& monitor,
         }
     }
     std::vector<double> densities = site_densities(job, cells);
+    plane::MaterialsOfSites of_sites = materials_of_sites(cells, job.materials, job.seed);
     Computation<PlaneWorld> computation{.cells = std::move(cells),
                                         .start = std::move(start.figures),
-                                        .site_densities = std::move(densities)};
-    if (!job.materials.empty() || job.has_inclusions()) add_materials(job, computation);
+                                        .site_densities = std::move(densities),
+                                        .materials = std::move(of_sites.materials),
+                                        .phases = std::move(of_sites.phases)};
     watch.stop(&JobSeconds::build);
     computation.seconds = watch.seconds();
     return computation;
@@ -228,9 +193,19 @@ FileContent PlaneWorld::content(const Job& job, const std::vector<JobFile>& file
                                 const TileSource<PlaneWorld>& tiles, JobMonitor& monitor,
                                 RunSummary& summary) {
     const Tiles& built = tiles(monitor);
-    add_figures(job, computation.cells, summary);
     for (const plane::BuiltTile& tile : built) summary.tiles.push_back(tile.figures);
     summary.constants = stated_constants(files, job.file_options, computation.materials);
+    // Add the figures of the cells.
+    const plane::Tessellation& cells = computation.cells;
+    summary.n_sites = cells.n_sites();
+    if (!cells.density) summary.energy_bound = energy_bound(cells);
+    summary.n_mirrors = cells.counts.n_mirrors;
+    summary.valences = side_counts(cells);
+    summary.density = cells.density;
+    if (cells.areas) summary.areas = area_summary(cells, job.areas->given);
+    summary.n_orbits = cells.n_orbits();
+    if (cells.walled) summary.n_on_walls = cells.walled->n_on_walls;
+    summary.interfaces = cells.interfaces;
     const auto content = std::make_shared<const PlaneContent>(job, computation, built);
     return {.encode = [content](const JobFile& file) { return content->encode(file); },
             .prove =

@@ -17,8 +17,7 @@ namespace pcvt {
 namespace {
 
 JobMonitor::Target target_of(const Job& job) {
-    return {.tolerance = job.run.tolerance,
-            .max_iterations = job.run.max_iterations,
+    return {.run = job.run,
             .has_areas = job.areas.has_value(),
             .note = job.retries > 0 ? ", seed " + std::to_string(job.seed) : ""};
 }
@@ -178,12 +177,13 @@ template RunSummary write_job(const Job&, const Computation<SpaceWorld>&,
 
 RunSummary run_job(const Job& job, const JobCallback& callback) {
     check_job(job);
+    const std::vector<std::string> phases = file_phases(job);
     const std::vector<JobFile> files = plan_files(job);
     const auto check_files = job.is_in_space() ? SpaceWorld::check_files : PlaneWorld::check_files;
-    check_files(job, files, file_phases(job));
-    const std::vector<std::string> recovered = require_all_writable(job, files);
+    check_files(job, files, phases);
     check_retries(job, files);
     require_memory(job, files);
+    const std::vector<std::string> recovered = require_all_writable(job, files);
     RunSummary summary = job.is_in_space() ? run<SpaceWorld>(job, files, callback)
                                            : run<PlaneWorld>(job, files, callback);
     summary.recovered.insert(summary.recovered.begin(), recovered.begin(), recovered.end());

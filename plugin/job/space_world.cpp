@@ -22,13 +22,9 @@ namespace pcvt {
 namespace {
 
 space::Points coarse_points(const Job& job, JobMonitor& monitor) {
-    space::CoarseStartOptions options;
-    options.run.seed = job.seed;
-    options.run.n_threads = job.run.n_threads;
-    options.run.progress = [&](const Progress& progress) {
-        return monitor.start_iteration(progress);
-    };
-    space::Points points = space::coarse_start(job.in_space().lattice, job.n_sites, options);
+    RunOptions run = job.run;
+    run.progress = [&](const Progress& progress) { return monitor.start_iteration(progress); };
+    space::Points points = space::coarse_start(job.in_space().lattice, job.n_sites, job.seed, run);
     if (points.cols() == 0) throw Cancelled{};
     return points;
 }

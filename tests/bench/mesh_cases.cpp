@@ -42,8 +42,7 @@ void add_files(const Input& input) {
                 const Format& format = *find_format(path);
                 OutputSet outputs;
                 const auto files = encode_tile(format, tile, path);
-                for (const EncodedFile& file : files) outputs.stage(file.path, file.bytes);
-                require_on_disk(outputs, files);
+                outputs.stage_and_compare(files);
                 prove_tile_files(format, files, tile, plane::Vec2::Zero());
             }
         }

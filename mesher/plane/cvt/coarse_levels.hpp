@@ -14,7 +14,8 @@ namespace pcvt::plane {
 inline constexpr double kPreconditionAfterCoarse = 3e-3;
 
 struct CoarseStartOptions {
-    CoarseRunOptions run;
+    /// The threads and the callback, as CoarseLevels takes them.
+    RunOptions run = {};
     /// `nullopt`: rho = 1. With a density, shakes are proportional to the local spacing.
     std::optional<Density> density = {};
     /// The sides of the lattice, upright then, that are walls; the sites lie between them.
@@ -32,8 +33,8 @@ inline constexpr LevelGrowth kLevelGrowth{
 /// Returns the options of the run on the level at which a coarse start is.
 ///
 /// Example usage:
-///   CoarseLevels levels(kLevelGrowth, {.n_orbits = n}, options.run);
-///   Points points = uniform_points(lattice, levels.n_coarsest(), options.run.seed);
+///   CoarseLevels levels(kLevelGrowth, {.n_orbits = n}, seed, options.run);
+///   Points points = uniform_points(lattice, levels.n_coarsest(), seed);
 ///   while (levels.next()) {
 ///       const CvtResult result = compute_cvt(lattice, points, level_options(levels, options));
 ///       points = refined(result, levels.n_finer(), levels.seed());

@@ -133,12 +133,12 @@ Refined optimised(const Lattice& lattice, Points points, CoarseLevels& levels,
 
 }  // namespace
 
-Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& options) {
-    CoarseLevels levels(kLevelGrowth, {.n_orbits = n}, options.run);
+Points coarse_start(const Lattice& lattice, int n, std::uint64_t seed,
+                    const CoarseStartOptions& options) {
+    CoarseLevels levels(kLevelGrowth, {.n_orbits = n}, seed, options.run);
     const int n_coarsest = levels.n_coarsest();
-    Points points = options.density
-                        ? graded_points(lattice, *options.density, n_coarsest, options.run.seed)
-                        : uniform_points(lattice, n_coarsest, options.run.seed);
+    Points points = options.density ? graded_points(lattice, *options.density, n_coarsest, seed)
+                                    : uniform_points(lattice, n_coarsest, seed);
     // Optimise each level, refine it and shake the sites of the next.
     while (levels.next()) {
         Refined refined = optimised(lattice, std::move(points), levels, options);

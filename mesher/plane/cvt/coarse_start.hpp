@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "mesher/plane/cvt/coarse_levels.hpp"
 
 namespace pcvt::plane {
@@ -10,7 +12,7 @@ namespace pcvt::plane {
 ///   const Lattice unit = Lattice::rectangle(1, 1);
 ///   CvtOptions options;
 ///   options.precondition_below = kPreconditionAfterCoarse;
-///   const CvtResult result = compute_cvt(unit, coarse_start(unit, 1000, {{.seed = 1}}), options);
+///   const CvtResult result = compute_cvt(unit, coarse_start(unit, 1000, 1, {}), options);
 ///
 /// The coarsest problem has n / 16 random sites. Each level optimises its sites, adds the midpoints
 /// of the Delaunay edges, which quadruples the number of sites, and shakes all sites. Long waves
@@ -25,6 +27,7 @@ namespace pcvt::plane {
 /// number of sites quadruples there too.
 ///
 /// @returns 2 x n, length units; no columns if the callback cancelled.
-Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& options);
+Points coarse_start(const Lattice& lattice, int n, std::uint64_t seed,
+                    const CoarseStartOptions& options);
 
 }  // namespace pcvt::plane

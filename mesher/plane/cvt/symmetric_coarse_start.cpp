@@ -173,15 +173,16 @@ OrbitPlaces refined(const SymmetricSites& start, const CvtResult& result, OrbitP
 }  // namespace
 
 std::optional<SymmetricSites> symmetric_coarse_start(const PlaneGroup& group, const OrbitPlan& plan,
+                                                     std::uint64_t seed,
                                                      const CoarseStartOptions& options) {
     std::optional<Density> density;
     if (options.density) density = folded_density(*options.density, group);
     const int n_others =
         n_sites(group, special_positions(group), plan) - plan.n_general * group.order();
-    CoarseLevels levels(kLevelGrowth, {plan.n_general, group.order(), n_others}, options.run);
+    CoarseLevels levels(kLevelGrowth, {plan.n_general, group.order(), n_others}, seed, options.run);
     OrbitPlan coarsest = plan;
     coarsest.n_general = levels.n_coarsest();
-    OrbitPlaces places = random_places(group, coarsest, options.run.seed, density);
+    OrbitPlaces places = random_places(group, coarsest, seed, density);
     while (levels.next()) {
         const SymmetricSites start = numbered_by_columns(sites_at(group, places));
         const CvtResult result = compute_cvt(start, level_options(levels, options));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "mesher/plane/cvt/coarse_levels.hpp"
@@ -14,7 +15,7 @@ namespace pcvt::plane {
 ///   const OrbitPlan plan = distribute(group, special_positions(group), 2400);
 ///   CvtOptions options;
 ///   options.precondition_below = kPreconditionAfterCoarse;
-///   const auto start = symmetric_coarse_start(group, plan, {{.seed = 1}});
+///   const auto start = symmetric_coarse_start(group, plan, 1, {});
 ///   const CvtResult result = compute_cvt(*start, options);
 ///
 /// Every level has the symmetry to the last bit. The orbits in general positions become four times
@@ -30,6 +31,7 @@ namespace pcvt::plane {
 /// @returns the sites of the plan, numbered by columns; `nullopt` if the callback cancelled.
 /// @throws as random_places does.
 std::optional<SymmetricSites> symmetric_coarse_start(const PlaneGroup& group, const OrbitPlan& plan,
+                                                     std::uint64_t seed,
                                                      const CoarseStartOptions& options);
 
 }  // namespace pcvt::plane

@@ -18,8 +18,7 @@ inline bool is_upright(const Lattice& lattice) {
 }
 
 /// Where the points of a wall lie along its axis.
-inline double wall_line(WallSide side, const Lattice& lattice) {
-    const WallSideRow& row = wall_side_row(side);
+inline double wall_line(const WallSideRow& row, const Lattice& lattice) {
     return row.at_end ? side_length(lattice, row.axis) : 0;
 }
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/plane/geometry/triangle_shape.hpp"
+#include "mesher/plane/grains/triangle_shape.hpp"
 
 namespace pcvt::plane {
 namespace {
@@ -15,11 +15,6 @@ constexpr double kGuardPart = 1.0 / 3;
 /// A guard's sides are at most this fraction of every edge at its tip.
 constexpr double kOtherPart = 0.7;
 
-int previous(const PeriodicMesh& cells, int c) {
-    const int f = cells.corner_face[c];
-    return c == cells.face_begin[f] ? cells.face_begin[f + 1] - 1 : c - 1;
-}
-
 double length(const PeriodicMesh& cells, int c) {
     return (cells.point(cells.next(c)) - cells.point(c)).norm();
 }
@@ -28,7 +23,7 @@ double length(const PeriodicMesh& cells, int c) {
 double corner_angle(const PeriodicMesh& cells, int c) {
     const Vec2 here = cells.point(c);
     const double angle =
-        angle_at({here, cells.point(cells.next(c)), cells.point(previous(cells, c))}, 0);
+        angle_at({here, cells.point(cells.next(c)), cells.point(cells.previous(c))}, 0);
     return angle < 0 ? angle + 360 : angle;
 }
 
@@ -79,7 +74,7 @@ class Guards {
     void add_tip(const SharpCorner& tip) {
         tips_.push_back(tip);
         double& radius = radius_[cells_.corner_vertex[tip.corner]];
-        const int before = previous(cells_, tip.corner);
+        const int before = cells_.previous(tip.corner);
         for (const int c : {tip.corner, before}) {
             radius = std::min(radius, std::min(kGuardPart, 1.0 / per_edge_) * length(cells_, c));
         }

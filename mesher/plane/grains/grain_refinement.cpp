@@ -8,7 +8,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
-#include "mesher/plane/geometry/triangle_shape.hpp"
+#include "mesher/plane/grains/triangle_shape.hpp"
 #include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt::plane {

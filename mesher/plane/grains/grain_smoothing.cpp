@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/plane/geometry/triangle_shape.hpp"
+#include "mesher/plane/grains/triangle_shape.hpp"
 #include "mesher/portable/portable_angles.hpp"
 
 namespace pcvt::plane {

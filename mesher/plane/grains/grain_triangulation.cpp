@@ -6,7 +6,8 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
-#include "mesher/plane/geometry/triangle_shape.hpp"
+#include "mesher/plane/grains/triangle_shape.hpp"
+#include "mesher/plane/mesh/valence.hpp"
 
 namespace pcvt::plane {
 namespace {
@@ -291,6 +292,7 @@ PeriodicMesh GrainTriangulation::mesh(const PeriodicMesh& cells) const {
                       .kind = MeshKind::kGrains,
                       .vertices = vertices_,
                       .opposite = opposite_};
+    const std::vector<int> sides = cell_sides(cells);
     for (int t = 0; t < n_triangles(); ++t) {
         checkpoint_each(t);
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
@@ -300,6 +302,7 @@ PeriodicMesh GrainTriangulation::mesh(const PeriodicMesh& cells) const {
         }
         mesh.face_begin.push_back(3 * t + 3);
         mesh.site.push_back(cells.site[cell(t)]);
+        mesh.whole_sides.push_back(sides[cell(t)]);
     }
     return mesh;
 }

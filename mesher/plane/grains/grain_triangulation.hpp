@@ -65,7 +65,8 @@ class GrainTriangulation {
     /// Returns the triangles that the last change modified; a triangle may occur more than once.
     const std::vector<int>& touched() const { return touched_; }
 
-    /// Returns the triangles as a mesh of the torus (`kGrains`), each with the site of its cell.
+    /// Returns the triangles as a mesh of the torus (`kGrains`), each with the site and the number
+    /// of sides of its cell.
     PeriodicMesh mesh(const PeriodicMesh& cells) const;
 
    private:

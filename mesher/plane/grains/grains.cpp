@@ -7,12 +7,11 @@
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/plane/geometry/triangle_shape.hpp"
 #include "mesher/plane/grains/corner_guards.hpp"
 #include "mesher/plane/grains/grain_refinement.hpp"
 #include "mesher/plane/grains/grain_smoothing.hpp"
 #include "mesher/plane/grains/grain_triangulation.hpp"
-#include "mesher/plane/mesh/valence.hpp"
+#include "mesher/plane/grains/triangle_shape.hpp"
 
 namespace pcvt::plane {
 namespace {
@@ -176,11 +175,9 @@ Grains mesh(const PeriodicMesh& cells, const Sizes& sizes) {
     const Attempt best = best_attempt(cells, sizes);
     const GrainTriangulation& grains = best.grains;
     Grains result{grains.mesh(cells), {}, named_corners(cells, best), best.smallest_angle};
-    const std::vector<int> sides = cell_sides(cells);
     for (int t = 0; t < grains.n_triangles(); ++t) {
         checkpoint_each(t);
         result.cell.push_back(grains.cell(t));
-        result.triangles.whole_sides.push_back(sides[grains.cell(t)]);
     }
     return result;
 }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "mesher/base/error.hpp"
-#include "mesher/plane/geometry/triangle_shape.hpp"
+#include "mesher/plane/grains/triangle_shape.hpp"
 #include "mesher/plane/mesh/periodic_mesh.hpp"
 
 namespace pcvt::plane {

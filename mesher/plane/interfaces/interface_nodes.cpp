@@ -21,6 +21,9 @@ constexpr double kChordPerGap = 0.6;
 /// Over the radius of the largest circle inside that touches there.
 constexpr double kChordPerCurve = 1.0;
 constexpr double kFewestChords = 6;
+
+/// For fewer seeds, the placement itself is fast, and names a number of sites that suffices.
+constexpr double kManySeeds = 10'000;
 /// The square of the longest chord over the shortest one and the radius. Scaling moves a circle's
 /// chords by l^2 / (12 R): by an eighth of the narrowest gap.
 constexpr double kCurvedPerGap = 2.5;
@@ -303,6 +306,13 @@ double fewest_seeds(const Shape& shape) {
     // rounding of its samples.
     const double chords = 0.99 * 2 * std::numbers::pi * axes.a / axes.b / kChordPerCurve;
     return 2 * std::max(kFewestChords, std::ceil(chords));
+}
+
+void require_enough_sites(int n_sites, double n_seeds) {
+    if (n_sites >= n_seeds || n_seeds < kManySeeds) return;
+    throw InvalidInput(std::to_string(n_sites) + " sites are too few for the inclusions; take " +
+                       std::to_string(static_cast<long>(n_seeds)) +
+                       " or more, the least that their outlines need");
 }
 
 std::vector<InterfaceNode> interface_nodes(const InclusionSet& set, int k,

@@ -28,6 +28,10 @@ struct InterfaceNode {
 /// A number of seeds, two a chord, that the curve of a shape has at least, for any spacing.
 double fewest_seeds(const Shape& shape);
 
+/// Refuses a number of sites that cannot suffice for the seeds of many shapes, before any work.
+/// @throws InvalidInput with the number that is needed.
+void require_enough_sites(int n_sites, double n_seeds);
+
 /// Divides the curve of inclusion k into chords, shorter than the spacing where the curve is bent,
 /// where another part of the interface is near, and at the limits. Corners of a polygon are nodes.
 /// The polygon of the nodes has the area of the shape; those of ellipses lie somewhat outside of

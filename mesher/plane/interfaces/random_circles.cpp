@@ -126,18 +126,18 @@ bool has_room(const Lattice& reduced, Walls walls, const Distances& distances) {
 
 /// Returns the centres of circles at the distances, or nullopt if they find no place.
 std::optional<std::vector<Vec2>> separated_points(const Lattice& reduced,
-                                                  const RandomCircles& wanted,
-                                                  const Distances& distances) {
+                                                  const RandomCircles& wanted, std::uint64_t seed,
+                                                  Walls walls, const Distances& distances) {
     const double distance = distances.from_centres;
     const double fraction =
         wanted.n * std::numbers::pi * distance * distance / (4 * reduced.area());
-    const bool is_dense = wanted.walls == Walls::kNone && !(fraction < kDensest);
-    if (is_dense || !has_room(reduced, wanted.walls, distances)) return std::nullopt;
+    const bool is_dense = walls == Walls::kNone && !(fraction < kDensest);
+    if (is_dense || !has_room(reduced, walls, distances)) return std::nullopt;
     for (int start = 0; start < kMostStarts; ++start) {
         // Starts of one seed and those of the next share no random numbers.
-        const std::uint64_t number = wanted.seed * 0x9e3779b97f4a7c15u + std::uint64_t(start);
+        const std::uint64_t number = seed * 0x9e3779b97f4a7c15u + std::uint64_t(start);
         Repulsion repulsion(reduced, uniform_points(Lattice::rectangle(1, 1), wanted.n, number),
-                            wanted.walls, distances.from_walls);
+                            walls, distances.from_walls);
         for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
             const double grown = kFirstDiameter + (1 - kFirstDiameter) * sweep / kGrowth;
             repulsion.sweep((1 + kDistanceReserve) * std::min(1.0, grown) * distance);
@@ -154,7 +154,8 @@ std::optional<std::vector<Vec2>> separated_points(const Lattice& reduced,
 
 }  // namespace
 
-std::vector<Circle> random_circles(const Lattice& lattice, const RandomCircles& wanted) {
+std::vector<Circle> random_circles(const Lattice& lattice, const RandomCircles& wanted,
+                                   std::uint64_t seed, Walls walls) {
     require(wanted.fraction > 0 && wanted.fraction < 1,
             "the area fraction must be between 0 and 1");
     require(wanted.n >= 1 && wanted.n <= kMostSites,
@@ -167,10 +168,11 @@ std::vector<Circle> random_circles(const Lattice& lattice, const RandomCircles& 
     for (const double gap : kDefaultGaps) {
         if (!wanted.gap) gaps.push_back(gap * radius);
     }
-    const bool has_walls = wanted.walls != Walls::kNone;
+    const bool has_walls = walls != Walls::kNone;
     const Lattice reduced = has_walls ? lattice : reduce(lattice).reduced;
     for (const double gap : gaps) {
-        const auto points = separated_points(reduced, wanted, {2 * radius + gap, radius + gap});
+        const auto points =
+            separated_points(reduced, wanted, seed, walls, {2 * radius + gap, radius + gap});
         if (!points) continue;
         std::vector<Circle> circles;
         for (const Vec2& point : *points) circles.push_back({point, radius});

@@ -16,9 +16,6 @@ struct RandomCircles {
     /// `nullopt`: a fifth of the radius, or a half or a quarter of that where circles find no place
     /// otherwise.
     std::optional<double> gap = {};
-    std::uint64_t seed = 0;
-    /// Circles keep the gap from walls as well.
-    Walls walls = Walls::kNone;
 };
 
 /// Places equal circles that keep the gap on the torus. Random points repel each other while the
@@ -28,12 +25,14 @@ struct RandomCircles {
 ///
 /// Example usage:
 ///
-///     const auto fibres = random_circles(lattice, {.fraction = 0.5, .n = 30, .seed = 1});
+///     const auto fibres = random_circles(lattice, {.fraction = 0.5, .n = 30}, 1);
 ///     const InclusionSet set(lattice, circular_inclusions(fibres, 1));
 ///
 /// @param lattice  upright if there are walls.
+/// @param walls    from which circles keep the gap as well.
 /// @throws InvalidInput if a number is out of range, or if circles do not fit or no place is found
 ///         for them.
-std::vector<Circle> random_circles(const Lattice& lattice, const RandomCircles& wanted);
+std::vector<Circle> random_circles(const Lattice& lattice, const RandomCircles& wanted,
+                                   std::uint64_t seed, Walls walls = Walls::kNone);
 
 }  // namespace pcvt::plane

@@ -29,10 +29,9 @@ class Shrinking {
         for (int c = 0; c < mesh.n_corners(); ++c) {
             corners_at_[mesh.corner_vertex[c]].push_back(c);
             if (mesh.opposite[c] >= 0) continue;
-            const WallSide side = wall_side_of(mesh, c, *domain);
+            const WallSideRow& wall = wall_side_of(mesh, c, *domain);
             for (const int end : {c, mesh.next(c)}) {
-                walls_[mesh.corner_vertex[end]][wall_side_row(side).axis] =
-                    wall_line(side, domain->lattice);
+                walls_[mesh.corner_vertex[end]][wall.axis] = wall_line(wall, domain->lattice);
             }
         }
         for (int v = 0; v < mesh.n_vertices(); ++v) weight_.push_back(weight_of(v));

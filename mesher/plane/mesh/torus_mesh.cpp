@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesher/plane/geometry/domain.hpp"
 #include "mesher/plane/mesh/area_fit.hpp"
 #include "mesher/plane/mesh/box_origin.hpp"
 #include "mesher/plane/mesh/box_outline.hpp"
@@ -162,6 +163,22 @@ class TorusMesher {
     bool has_grains_;
 };
 
+/// Sets the corners of the domain.
+TorusMesh with_corners(TorusMesh torus, const TileOptions& options) {
+    if (options.walled) {
+        const WalledDomain domain = options.walled->repeated(options.columns, options.rows);
+        torus.corner = options.origin;
+        torus.opposite_corner = options.origin + domain.lattice.a() + domain.lattice.b();
+    } else if (torus.is_cut()) {
+        torus.opposite_corner = torus.corner + torus.mesh.lattice.a() + torus.mesh.lattice.b();
+    } else {
+        const Domain domain(torus.mesh.lattice, options.origin);
+        torus.corner = domain.corner();
+        torus.opposite_corner = domain.opposite_corner();
+    }
+    return torus;
+}
+
 }  // namespace
 
 PeriodicMesh domain_mesh(const PeriodicDelaunay& delaunay, const TileOptions& options) {
@@ -178,10 +195,15 @@ PeriodicMesh domain_mesh(const PeriodicDelaunay& delaunay, const TileOptions& op
 TorusMesh torus_mesh(PeriodicMesh domain, const PeriodicDelaunay& delaunay,
                      const TileOptions& options) {
     const TorusMesher mesher(delaunay, options);
-    if (options.kind == MeshKind::kDelaunay) return mesher.triangles(std::move(domain));
-    if (options.walled) return mesher.cells_between_walls(std::move(domain));
-    return delaunay.weights().size() > 0 ? mesher.power_cells(domain)
-                                         : mesher.cells(std::move(domain));
+    if (options.kind == MeshKind::kDelaunay) {
+        return with_corners(mesher.triangles(std::move(domain)), options);
+    }
+    if (options.walled) {
+        return with_corners(mesher.cells_between_walls(std::move(domain)), options);
+    }
+    return with_corners(delaunay.weights().size() > 0 ? mesher.power_cells(domain)
+                                                      : mesher.cells(std::move(domain)),
+                        options);
 }
 
 }  // namespace pcvt::plane

@@ -20,7 +20,8 @@ struct TorusMesh {
     /// Without short edges, and in pieces if it is cut along the box; between walls with the mirror
     /// images.
     PeriodicMesh mesh;
-    /// The corner of the domain, length units.
+    /// The corner of the domain along which it is cut, or round which its faces are to lie, length
+    /// units.
     Vec2 corner;
     /// With weights: those by which the cells have their areas again, one a site, length^2.
     Eigen::VectorXd weights = {};
@@ -28,6 +29,8 @@ struct TorusMesh {
     std::optional<double> area_error = {};
     /// The shortest edge that the cut has made, in units of h; nullopt: the mesh is not cut.
     std::optional<double> box_shortest_edge = {};
+    /// The opposite corner of the domain.
+    Vec2 opposite_corner = Vec2::Zero();
 
     bool is_cut() const { return box_shortest_edge.has_value(); }
 };

@@ -156,10 +156,10 @@ void put_on_lines(PeriodicMesh& between, const WalledDomain& domain) {
     for (int c = 0; c < between.n_corners(); ++c) {
         checkpoint_each(c);
         if (between.opposite[c] >= 0) continue;
-        const WallSide side = wall_side_of(between, c, domain);
+        const WallSideRow& wall = wall_side_of(between, c, domain);
         for (const int end : {c, between.next(c)}) {
-            between.vertices[between.corner_vertex[end]][wall_side_row(side).axis] =
-                wall_line(side, domain.lattice);
+            between.vertices[between.corner_vertex[end]][wall.axis] =
+                wall_line(wall, domain.lattice);
         }
     }
 }
@@ -310,16 +310,14 @@ PeriodicMesh mirrored_mesh(PeriodicMesh between, const WalledDomain& domain) {
     return torus;
 }
 
-WallSide wall_side_of(const PeriodicMesh& mesh, int c, const WalledDomain& domain) {
+const WallSideRow& wall_side_of(const PeriodicMesh& mesh, int c, const WalledDomain& domain) {
     const Vec2 p = mesh.point(c);
     const Vec2 q = mesh.point(mesh.next(c));
     const int axis = wall_axis(p, q, domain.walls);
     const bool at_end = p[axis] + q[axis] > side_length(domain.lattice, axis);
-    return find_row(kWallSides,
-                    [axis, at_end](const WallSideRow& row) {
-                        return row.axis == axis && row.at_end == at_end;
-                    })
-        ->side;
+    return *find_row(kWallSides, [axis, at_end](const WallSideRow& row) {
+        return row.axis == axis && row.at_end == at_end;
+    });
 }
 
 }  // namespace pcvt::plane

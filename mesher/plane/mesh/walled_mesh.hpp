@@ -46,6 +46,6 @@ PeriodicMesh mirrored_mesh(PeriodicMesh between, const WalledDomain& domain);
 
 /// The wall on which an edge of a mesh between walls lies.
 /// @param c  mesh.opposite[c] < 0.
-WallSide wall_side_of(const PeriodicMesh& mesh, int c, const WalledDomain& domain);
+const WallSideRow& wall_side_of(const PeriodicMesh& mesh, int c, const WalledDomain& domain);
 
 }  // namespace pcvt::plane

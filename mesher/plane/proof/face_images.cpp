@@ -5,8 +5,8 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
+#include "mesher/plane/geometry/face_polygon.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
-#include "mesher/plane/tile/face_polygon.hpp"
 #include "mesher/torus/offset_disjoint_sets.hpp"
 
 namespace pcvt::plane {

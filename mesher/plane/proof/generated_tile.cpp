@@ -6,9 +6,9 @@
 #include <string>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/plane/geometry/face_polygon.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/proof/site_labels.hpp"
-#include "mesher/plane/tile/face_polygon.hpp"
 
 namespace pcvt::plane {
 namespace {

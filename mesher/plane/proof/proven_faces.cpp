@@ -2,8 +2,8 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
+#include "mesher/plane/geometry/face_polygon.hpp"
 #include "mesher/plane/proof/vertex_orbits.hpp"
-#include "mesher/plane/tile/face_polygon.hpp"
 
 namespace pcvt::plane {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
+#include "mesher/plane/geometry/face_polygon.hpp"
+#include "mesher/plane/proof/round_tile.hpp"
 #include "mesher/plane/proof/site_images.hpp"
 #include "mesher/plane/proof/validate_walls.hpp"
 #include "mesher/plane/proof/vertex_orbits.hpp"
-#include "mesher/plane/tile/face_polygon.hpp"
-#include "mesher/plane/tile/round_tile.hpp"
 #include "mesher/plane/tile/site_positions.hpp"
 
 namespace pcvt::plane {
@@ -101,6 +101,13 @@ void require_sites_at_vertices(const Tile& tile, const SiteImages& images, doubl
         throw_violation(kSiteLaw, "site " + to_string(site) + " lies off vertex " + to_string(v) +
                                       ", which names it, by " + in_words(off));
     }
+}
+
+/// The mean of the corners of a face, which lies inside of a convex one.
+Vec2 face_middle(const Tile& tile, int f) {
+    Vec2 sum(0, 0);
+    for (const int v : tile.faces[f]) sum += tile.points[v];
+    return sum / tile.face_size(f);
 }
 
 /// Laws (4) and (5) of cells and grains. @returns the image of its site for each face.

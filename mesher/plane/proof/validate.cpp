@@ -7,11 +7,11 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/disjoint_sets.hpp"
 #include "mesher/base/law_violation.hpp"
+#include "mesher/plane/geometry/face_polygon.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/proof/glued_faces.hpp"
 #include "mesher/plane/proof/validate_walls.hpp"
 #include "mesher/plane/proof/vertex_orbits.hpp"
-#include "mesher/plane/tile/face_polygon.hpp"
 
 namespace pcvt::plane {
 namespace {

@@ -8,9 +8,9 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
 #include "mesher/plane/proof/proven_faces.hpp"
+#include "mesher/plane/proof/round_tile.hpp"
 #include "mesher/plane/proof/site_images.hpp"
 #include "mesher/plane/proof/validate_walls.hpp"
-#include "mesher/plane/tile/round_tile.hpp"
 #include "mesher/plane/tile/site_positions.hpp"
 
 namespace pcvt::plane {

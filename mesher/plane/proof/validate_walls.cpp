@@ -39,7 +39,7 @@ WallSide wall_of(const Tile& tile, int v, int w) {
     WallSide side{};
     for (const WallSideRow& row : kWallSides) {
         if (!has_walls_across(tile.walls, row.axis)) continue;
-        const double line = wall_line(row.side, tile.lattice);
+        const double line = wall_line(row, tile.lattice);
         const double off = std::max(std::abs(tile.points[v][row.axis] - line),
                                     std::abs(tile.points[w][row.axis] - line));
         if (off < nearest) {
@@ -275,7 +275,7 @@ void require_between_walls(const Tile& tile, Precision precision) {
     const double tolerance = position_tolerance(tile, precision);
     for (const WallSideRow& row : kWallSides) {
         if (!has_walls_across(tile.walls, row.axis)) continue;
-        const double line = wall_line(row.side, tile.lattice);
+        const double line = wall_line(row, tile.lattice);
         for (int v = 0; v < tile.n_vertices(); ++v) {
             checkpoint_each(v);
             const double beyond = (tile.points[v][row.axis] - line) * (row.at_end ? 1 : -1);
@@ -290,7 +290,7 @@ void require_between_walls(const Tile& tile, Precision precision) {
 Tile with_exact_walls(Tile tile, double tolerance) {
     for (const WallSideRow& row : kWallSides) {
         if (!has_walls_across(tile.walls, row.axis)) continue;
-        const double line = wall_line(row.side, tile.lattice);
+        const double line = wall_line(row, tile.lattice);
         for (std::vector<Vec2>* points : {&tile.points, &tile.site_positions}) {
             for (Vec2& p : *points) {
                 if (std::abs(p[row.axis] - line) <= tolerance) p[row.axis] = line;

@@ -58,11 +58,12 @@ Points positions(const Sites& sites) {
 
 class Search {
    public:
-    Search(const Lattice& period, int n, const SearchOptions& options)
+    Search(const Lattice& period, int n, std::uint64_t seed, const SearchOptions& options)
         : period_(period),
           n_(n),
+          seed_(seed),
           options_(options),
-          workers_(std::min(options.n_threads, kRound)),
+          workers_(std::min(options.run.n_threads, kRound)),
           maker_(period, n),
           lattice_(best_lattice(period, n)),
           minima_{{pattern_points(lattice_), {n}, lattice_.energy}} {}
@@ -84,6 +85,7 @@ class Search {
 
     Lattice period_;
     int n_;
+    std::uint64_t seed_;
     const SearchOptions& options_;
     Workers workers_;
     StartMaker maker_;
@@ -99,13 +101,13 @@ class Search {
 /// Reports progress and returns false once the search is cancelled. Must run on the caller's
 /// thread.
 bool Search::report() {
-    if (!options_.progress || cancelled_) return !cancelled_;
+    if (!options_.run.progress || cancelled_) return !cancelled_;
     Progress progress;
     progress.iteration = starts_;
     progress.evaluations = evaluations_;
     progress.value = lowest();
     progress.budget = options_.budget;
-    if (!options_.progress(progress)) cancelled_ = true;
+    if (!options_.run.progress(progress)) cancelled_ = true;
     return !cancelled_;
 }
 
@@ -155,7 +157,7 @@ void Search::run_round() {
     const int share = std::max(1, (options_.budget - evaluations_) / kRound);
     std::vector<Trial> trials(kRound);
     for (Trial& trial : trials) {
-        StartMaker::Random random(stream(options_.seed, starts_++));
+        StartMaker::Random random(stream(seed_, starts_++));
         trial.state = maker_.make(random, minima_);
     }
     workers_.for_each(kRound, [&](int k) { optimise(trials[k], share, kLoose); });
@@ -192,8 +194,9 @@ int default_search_budget(int n) {
     return static_cast<int>(std::min(std::int64_t{kBudgetPerSite} * n, falling));
 }
 
-SearchResult search_minimum(const Lattice& period, int n, const SearchOptions& options) {
-    return Search(period, n, options).run();
+SearchResult search_minimum(const Lattice& period, int n, std::uint64_t seed,
+                            const SearchOptions& options) {
+    return Search(period, n, seed, options).run();
 }
 
 }  // namespace pcvt::plane

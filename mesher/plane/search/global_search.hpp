@@ -9,15 +9,12 @@
 namespace pcvt::plane {
 
 struct SearchOptions {
-    std::uint64_t seed = 0;
+    /// The threads, on which the result does not depend, and the callback, which is called between
+    /// rounds of starts and from time to time within a round; returning false cancels.
+    RunOptions run = {};
     /// Evaluations of the energy after which the search ends; each start of the last round may
     /// exceed its share by one step.
     int budget = 0;
-    /// At least 1. The result does not depend on it.
-    int n_threads = 1;
-    /// Called between rounds of starts and from time to time within a round; returning false
-    /// cancels.
-    ProgressCallback progress = {};
 };
 
 struct SearchResult {
@@ -45,7 +42,7 @@ int default_search_budget(int n);
 /// Example usage:
 ///   const Lattice unit = Lattice::rectangle(1, 1);
 ///   const SearchResult best =
-///       search_minimum(unit, 18, {.seed = 1, .budget = default_search_budget(18)});
+///       search_minimum(unit, 18, 1, {.budget = default_search_budget(18)});
 ///   std::cout << best.found << ": " << best.energy << "\n";
 ///
 /// Starts are optimised in parallel, in rounds of 8. A round uses only the minima of earlier
@@ -56,6 +53,7 @@ int default_search_budget(int n);
 ///   (1) The energy is never above that of the best lattice.
 ///   (2) The result is the same for any number of threads.
 /// @throws InvalidInput if n < 1 or the lattice cannot be reduced.
-SearchResult search_minimum(const Lattice& period, int n, const SearchOptions& options);
+SearchResult search_minimum(const Lattice& period, int n, std::uint64_t seed,
+                            const SearchOptions& options);
 
 }  // namespace pcvt::plane

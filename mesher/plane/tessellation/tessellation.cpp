@@ -11,6 +11,7 @@
 #include "mesher/plane/geometry/domain.hpp"
 #include "mesher/plane/mesh/cell_measures.hpp"
 #include "mesher/plane/mesh/torus_mesh.hpp"
+#include "mesher/plane/mesh/valence.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "mesher/plane/mesh/walled_mesh.hpp"
 
@@ -107,17 +108,22 @@ std::vector<int> cell_sides(const Tessellation& tessellation) {
     return is_plain ? cell_sides(tessellation.delaunay) : tessellation.table().sides;
 }
 
-AreaSummary area_summary(const Tessellation& tessellation) {
+std::map<int, int> side_counts(const Tessellation& tessellation) {
+    return histogram(cell_sides(tessellation));
+}
+
+AreaSummary area_summary(const Tessellation& tessellation, const Eigen::VectorXd& given) {
     const CellTable& cells = tessellation.table();
     std::vector<double> circularities;
     for (SiteId s = 0; s < cells.n_cells(); ++s) circularities.push_back(cells.circularity(s));
     AreaSummary summary{.newton = *tessellation.areas};
-    summary.std_over_mean = diameter_spread(Eigen::Map<const Eigen::VectorXd>(
-        cells.measure.data(), static_cast<Eigen::Index>(cells.measure.size())));
     summary.circularity_mean = mean(circularities);
     for (double& c : circularities)
         c = (c - summary.circularity_mean) * (c - summary.circularity_mean);
     summary.circularity_std = std::sqrt(mean(circularities));
+    summary.std_over_mean = diameter_spread(Eigen::Map<const Eigen::VectorXd>(
+        cells.measure.data(), static_cast<Eigen::Index>(cells.measure.size())));
+    if (given.size() > 0) summary.scale = area_scale(given, tessellation.lattice().area());
     return summary;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -107,6 +108,8 @@ BuiltTile build_tile(const Tessellation& tessellation, TileOptions options);
 
 /// The number of sides of each site's cell, of those longer than kShortEdge h in the plane.
 std::vector<int> cell_sides(const Tessellation& tessellation);
+/// The numbers of cells by their number of sides.
+std::map<int, int> side_counts(const Tessellation& tessellation);
 
 /// The figures of a run with prescribed areas.
 struct AreaSummary {
@@ -120,8 +123,9 @@ struct AreaSummary {
     double circularity_std = 0;
 };
 
+/// @param given  the areas that scaled_areas() took; empty for those of a law.
 /// @pre the areas are prescribed.
-AreaSummary area_summary(const Tessellation& tessellation);
+AreaSummary area_summary(const Tessellation& tessellation, const Eigen::VectorXd& given);
 
 /// The weights of the sites, length^2; empty without areas.
 Eigen::VectorXd site_weights(const Tessellation& tessellation);

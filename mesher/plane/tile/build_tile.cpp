@@ -4,7 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "mesher/plane/geometry/domain.hpp"
 #include "mesher/plane/grains/grains.hpp"
 #include "mesher/plane/mesh/torus_mesh.hpp"
 #include "mesher/plane/mesh/walled_mesh.hpp"
@@ -59,10 +58,7 @@ std::vector<Offset> placed_only(const LaidOut& laid_out) {
 
 LaidOut lay_out_between_walls(const TileOptions& options, TorusMesh torus) {
     const WalledDomain domain = walled_domain(options);
-    LaidOut laid_out{std::move(torus.mesh),
-                     {},
-                     options.origin,
-                     options.origin + domain.lattice.a() + domain.lattice.b()};
+    LaidOut laid_out{std::move(torus.mesh), {}, torus.corner, torus.opposite_corner};
     laid_out.between_walls = places_between_walls(laid_out.mesh, domain);
     move_onto_walls(laid_out.mesh, laid_out.between_walls, domain);
     laid_out.placement.resize(laid_out.between_walls.size());
@@ -79,14 +75,10 @@ LaidOut lay_out_between_walls(const TileOptions& options, TorusMesh torus) {
 LaidOut lay_out(const TileOptions& options, TorusMesh torus) {
     if (options.walled) return lay_out_between_walls(options, std::move(torus));
     PeriodicMesh& mesh = torus.mesh;
-    if (torus.is_cut()) {
-        const Vec2 opposite = torus.corner + mesh.lattice.a() + mesh.lattice.b();
-        std::vector<Offset> placement(static_cast<std::size_t>(mesh.n_faces()));
-        return {std::move(mesh), std::move(placement), torus.corner, opposite};
-    }
-    const Domain domain(mesh.lattice, options.origin);
-    std::vector<Offset> placement = whole_outline(mesh, options.origin);
-    return {std::move(mesh), std::move(placement), domain.corner(), domain.opposite_corner()};
+    std::vector<Offset> placement = torus.is_cut()
+                                        ? std::vector<Offset>(std::size_t(mesh.n_faces()))
+                                        : whole_outline(mesh, options.origin);
+    return {std::move(mesh), std::move(placement), torus.corner, torus.opposite_corner};
 }
 
 /// The tile of faces that are laid out.

@@ -33,12 +33,6 @@ std::vector<Vec2> site_positions(const Tile& tile) {
     return positions;
 }
 
-Vec2 face_middle(const Tile& tile, int f) {
-    Vec2 sum(0, 0);
-    for (const int v : tile.faces[f]) sum += tile.points[v];
-    return sum / tile.face_size(f);
-}
-
 std::vector<Vec2> grain_site_points(const Tile& tile, const std::vector<Offset>& images) {
     if (tile.kind != MeshKind::kGrains || tile.site_positions.empty() || images.empty()) return {};
     const Lattice of_sites(tile.lattice.a() / tile.columns, tile.lattice.b() / tile.rows);

@@ -15,9 +15,6 @@ namespace pcvt::plane {
 ///   for (const Vec2& p : site_positions(tile)) std::printf("%.17g %.17g\n", p.x(), p.y());
 std::vector<Vec2> site_positions(const Tile& tile);
 
-/// Returns the mean of the corners of a face, which lies inside of a convex one.
-Vec2 face_middle(const Tile& tile, int f);
-
 /// Returns the position of the site of the cell that each face of a tile of grains belongs to, as
 /// Tile::grain_site_points. Returns an empty list for other tiles and where the tile states no
 /// positions.

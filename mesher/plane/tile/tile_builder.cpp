@@ -124,7 +124,7 @@ class TileBuilder {
             const int v1 = vertex[periodic_.next(c)];
             if (across < 0) {
                 tile_.wall_edges.push_back(
-                    {WallId::side(wall_side_of(periodic_, c, *walled_)), v0, v1});
+                    {WallId::side(wall_side_of(periodic_, c, *walled_).side), v0, v1});
                 continue;
             }
             const int w0 = vertex[periodic_.next(across)];

@@ -84,7 +84,7 @@ std::vector<WallEdge> edges_on_walls(const Tile& tile) {
     const int n_own = n - static_cast<int>(tile.copies.size());
     const auto original = [&](int v) { return v < n_own ? v : tile.copies[v - n_own]; };
     const auto is_on = [&](int v, const WallSideRow& row) {
-        const double off = tile.points[v][row.axis] - wall_line(row.side, tile.lattice);
+        const double off = tile.points[v][row.axis] - wall_line(row, tile.lattice);
         return std::abs(off) <= kOnWall * side_length(tile.lattice, row.axis);
     };
     for (int f = 0; f < tile.n_faces(); ++f) {

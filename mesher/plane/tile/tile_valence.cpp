@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/plane/geometry/face_polygon.hpp"
 #include "mesher/plane/mesh/valence.hpp"
-#include "mesher/plane/tile/face_polygon.hpp"
 
 namespace pcvt::plane {
 
@@ -28,7 +28,7 @@ std::vector<int> vertex_valences(const Tile& triangles) {
     // On a wall the triangles count with their mirror images.
     for (const WallSideRow& row : kWallSides) {
         if (!has_walls_across(triangles.walls, row.axis)) continue;
-        const double line = wall_line(row.side, triangles.lattice);
+        const double line = wall_line(row, triangles.lattice);
         for (int v = 0; v < triangles.n_vertices(); ++v) {
             if (triangles.points[v][row.axis] == line) valence[v] *= 2;
         }

@@ -84,9 +84,9 @@ void shake(const Lattice& lattice, std::uint64_t seed, Points& points) {
 
 }  // namespace
 
-Points coarse_start(const Lattice& lattice, int n, const CoarseStartOptions& options) {
-    CoarseLevels levels(kLevelGrowth, {.n_orbits = n}, options.run);
-    Points points = uniform_points(lattice, levels.n_coarsest(), options.run.seed);
+Points coarse_start(const Lattice& lattice, int n, std::uint64_t seed, const RunOptions& run) {
+    CoarseLevels levels(kLevelGrowth, {.n_orbits = n}, seed, run);
+    Points points = uniform_points(lattice, levels.n_coarsest(), seed);
     while (levels.next()) {
         const CvtResult result = compute_cvt(lattice, points, {levels.run()});
         if (levels.cancelled()) return Points(3, 0);

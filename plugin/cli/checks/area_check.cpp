@@ -6,8 +6,8 @@
 
 #include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/cvt/cell_areas.hpp"
+#include "mesher/plane/geometry/face_polygon.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
-#include "mesher/plane/tile/face_polygon.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
 namespace pcvt::cli {

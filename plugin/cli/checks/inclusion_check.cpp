@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "mesher/plane/geometry/face_polygon.hpp"
 #include "mesher/plane/interfaces/inclusion_set.hpp"
-#include "mesher/plane/tile/face_polygon.hpp"
 #include "plugin/cli/checks/outline_proof.hpp"
 #include "plugin/cli/terminal/console.hpp"
 

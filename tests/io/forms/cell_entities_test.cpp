@@ -94,9 +94,9 @@ TEST(CellEntities, Law2CurvesEndAtPointsThatTheSeamIdentifies) {
                 ASSERT_EQ(points.contains(v), is_end);
             }
             if (curve.wall) {
-                const int axis = wall_side_row(curve.wall->side()).axis;
+                const WallSideRow& wall = wall_side_row(curve.wall->side());
                 for (const int v : curve.vertices) {
-                    EXPECT_EQ(tile.points[v][axis], wall_line(curve.wall->side(), tile.lattice));
+                    EXPECT_EQ(tile.points[v][wall.axis], wall_line(wall, tile.lattice));
                 }
                 EXPECT_EQ(curve.partner, -1);
             }

@@ -102,14 +102,13 @@ TEST(SeamSegments, StretchesOnAWallLieOnItAndHaveNoPartner) {
                 }
                 EXPECT_EQ(runs[r].offset, plane::Offset{});
                 EXPECT_EQ(runs[r].partner, -1);
-                const WallSide side = runs[r].wall->side();
-                const int axis = wall_side_row(side).axis;
+                const WallSideRow& wall = wall_side_row(runs[r].wall->side());
                 for (std::size_t k = 0; k + 1 < runs[r].vertices.size(); ++k) {
                     edges.insert({*runs[r].wall, runs[r].vertices[k], runs[r].vertices[k + 1]});
                 }
                 for (const int v : runs[r].middles) {
-                    EXPECT_EQ(middles.points.at(v - tile.n_vertices())[axis],
-                              wall_line(side, tile.lattice));
+                    EXPECT_EQ(middles.points.at(v - tile.n_vertices())[wall.axis],
+                              wall_line(wall, tile.lattice));
                 }
                 EXPECT_EQ(runs[r].middles.size() + 1,
                           tile.order == 2 ? runs[r].vertices.size() : 1);

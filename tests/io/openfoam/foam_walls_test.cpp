@@ -151,9 +151,7 @@ TEST(FoamWalls, ThicknessesAreReadBack) {
 TEST(FoamWalls, LayersOfAnotherScaleThanTheCellsAreRefused) {
     const Format& format = *find_format("t.foam");
     FormatRequest request{.lattice = plane::Lattice::rectangle(2, 1),
-                          .kind = plane::MeshKind::kVoronoi,
-                          .outline = plane::Outline::kWhole,
-                          .short_edges = 0,
+                          .tile = {.kind = plane::MeshKind::kVoronoi},
                           .n_sites = 200};
     for (const auto& [thickness, is_held] :
          {std::pair(0.0, true), {1.01e-4, true}, {99.0, true}, {9.9e-5, false}, {101.0, false}}) {

@@ -239,9 +239,7 @@ TEST(WalledFiles, DamagedFilesGiveATileOrAFaultAndNothingElse) {
 
 TEST(WalledFiles, ContentsThatNeedATorusAreRefusedBeforeAnyWork) {
     const FormatRequest channel{.lattice = plane::Lattice::rectangle(2, 1),
-                                .kind = plane::MeshKind::kGrains,
-                                .outline = plane::Outline::kWhole,
-                                .short_edges = 0,
+                                .tile = {.kind = plane::MeshKind::kGrains},
                                 .walls = Walls::kY,
                                 .files = {.job = SolverJob::kElastic}};
     FormatRequest torus = channel;

@@ -9,8 +9,7 @@ constexpr LevelGrowth kPlane{.dimension = 2, .factor = 4, .coarsest = 16, .most_
 constexpr LevelGrowth kSpace{.dimension = 3, .factor = 8, .coarsest = 16};
 
 TEST(CoarseLevels, GrowByTheFactorUpToTheFinest) {
-    const CoarseRunOptions options{.seed = 5};
-    CoarseLevels levels(kPlane, {.n_orbits = 1001}, options);
+    CoarseLevels levels(kPlane, {.n_orbits = 1001}, 5, {});
     EXPECT_EQ(levels.n_coarsest(), 63);
     for (const int n_finer : {251, 1001}) {
         ASSERT_TRUE(levels.next());
@@ -21,9 +20,8 @@ TEST(CoarseLevels, GrowByTheFactorUpToTheFinest) {
 }
 
 TEST(CoarseLevels, WithFewSitesThereIsOnlyTheFinest) {
-    const CoarseRunOptions options;
     for (const int n : {1, 16}) {
-        CoarseLevels levels(kSpace, {.n_orbits = n}, options);
+        CoarseLevels levels(kSpace, {.n_orbits = n}, 0, {});
         EXPECT_EQ(levels.n_coarsest(), n);
         EXPECT_FALSE(levels.next());
     }
@@ -32,12 +30,12 @@ TEST(CoarseLevels, WithFewSitesThereIsOnlyTheFinest) {
 TEST(CoarseLevels, ScaleEnergiesToTheFinest) {
     for (const LevelGrowth& growth : {kPlane, kSpace}) {
         Progress reported;
-        const CoarseRunOptions options{.progress = [&](const Progress& progress) {
+        const RunOptions options{.progress = [&](const Progress& progress) {
             reported = progress;
             return true;
         }};
         const int n = static_cast<int>(10 * growth.factor);
-        CoarseLevels levels(growth, {.n_orbits = n, .orbit_size = 2}, options);
+        CoarseLevels levels(growth, {.n_orbits = n, .orbit_size = 2}, 0, options);
         ASSERT_TRUE(levels.next());
         EXPECT_TRUE(levels.run().progress({.value = 100, .rms_residual = 1}));
         EXPECT_NEAR(reported.value, 25, 1e-13) << growth.dimension;
@@ -47,8 +45,8 @@ TEST(CoarseLevels, ScaleEnergiesToTheFinest) {
 
 TEST(CoarseLevels, EndARunAtTheToleranceOrWhereTheCallbackCancels) {
     bool goes_on = true;
-    const CoarseRunOptions options{.progress = [&](const Progress&) { return goes_on; }};
-    CoarseLevels levels(kSpace, {.n_orbits = 80}, options);
+    const RunOptions options{.progress = [&](const Progress&) { return goes_on; }};
+    CoarseLevels levels(kSpace, {.n_orbits = 80}, 0, options);
     ASSERT_TRUE(levels.next());
     const RunOptions run = levels.run();
     EXPECT_TRUE(run.progress({.rms_residual = 2 * kCoarseTolerance}));

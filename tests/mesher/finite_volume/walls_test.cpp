@@ -143,7 +143,7 @@ TEST(WalledFlow, VanishesOnWallsAndHasNoDivergence) {
             for (const WallSideRow& row : kWallSides) {
                 if (!has_walls_across(walls, row.axis)) continue;
                 plane::Vec2 on_wall = p;
-                on_wall[row.axis] = wall_line(row.side, lattice);
+                on_wall[row.axis] = wall_line(row, lattice);
                 EXPECT_LT(flow.velocity(on_wall).norm(), 1e-15);
             }
             const double divergence =

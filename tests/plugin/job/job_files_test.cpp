@@ -7,12 +7,6 @@ namespace {
 
 using ::testing::ElementsAre;
 
-TEST(JobFiles, TheSuffixPrecedesTheExtension) {
-    EXPECT_EQ(with_suffix("tile.obj", "-voronoi"), "tile-voronoi.obj");
-    EXPECT_EQ(with_suffix("a.b/tile.v2.obj", "-x"), "a.b/tile.v2-x.obj");
-    EXPECT_EQ(with_suffix("a.b/tile", "-x"), "a.b/tile-x");
-}
-
 TEST(JobFiles, CompanionsFollowTheirFile) {
     Job job;
     job.outputs = {"t.obj", "s.txt"};
@@ -94,16 +88,6 @@ std::string refusal(const std::string& path) {
 TEST(JobFiles, ARefusalDistinguishesUnknownFromMissingExtensions) {
     EXPECT_EQ(refusal("t.n"), "-o t.n: unknown extension .n; take one of " + output_extensions());
     EXPECT_EQ(refusal("t"), "-o t: no extension; take one of " + output_extensions());
-}
-
-TEST(JobFiles, PicturesAndSitesAreWrittenButNotChecked) {
-    std::string written = output_extensions() + " ";
-    for (const std::string only_written :
-         {" .svg ", " .png ", " .dxf ", " .html ", " .csv ", " .txt "}) {
-        ASSERT_NE(written.find(only_written), std::string::npos) << only_written;
-        written.replace(written.find(only_written), only_written.size(), " ");
-    }
-    EXPECT_EQ(written, readable_extensions() + " ");
 }
 
 }  // namespace

@@ -14,7 +14,6 @@ namespace pcvt::plane {
 namespace {
 
 using testing::kAllWalls;
-using testing::seeded;
 
 /// The fraction of the cells of a result whose valence is not six.
 double defects(const CvtResult& result) {
@@ -34,7 +33,7 @@ TEST(CoarseStart, KnowsTheSpacingOfAHexagonalArrangement) {
 TEST(CoarseStart, ReturnsTheRequestedNumberOfDistinctSites) {
     const Lattice lattice({2, 0}, {0.5, 1});
     for (const int n : {1, 2, 3, 16, 17, 63, 64, 65, 255, 256, 257, 1000}) {
-        const Points points = coarse_start(lattice, n, seeded(1));
+        const Points points = coarse_start(lattice, n, 1, {});
         ASSERT_EQ(points.cols(), n);
         const Sites sites(lattice, points);
         EXPECT_LT(sites.duplicates().first, 0);
@@ -45,9 +44,9 @@ TEST(CoarseStart, ReturnsDistinctSitesBetweenWalls) {
     const Lattice lattice = Lattice::rectangle(3, 1);
     for (const Walls walls : kAllWalls) {
         for (const int n : {1, 2, 3, 16, 17, 63, 64, 65, 255, 1000}) {
-            CoarseStartOptions options = seeded(1);
+            CoarseStartOptions options;
             options.walls = walls;
-            const Points points = coarse_start(lattice, n, options);
+            const Points points = coarse_start(lattice, n, 1, options);
             ASSERT_EQ(points.cols(), n);
             EXPECT_LT(Sites(lattice, points).duplicates().first, 0);
             for (int axis = 0; axis < 2; ++axis) {
@@ -72,10 +71,10 @@ TEST(CoarseStart, LeadsToLowerMinimaBetweenWallsSlow) {
             double random = 0;
             double coarse = 0;
             for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-                CoarseStartOptions start = seeded(seed);
+                CoarseStartOptions start;
                 start.walls = walls;
                 random += energy(uniform_points(lattice, 1000, seed));
-                coarse += energy(coarse_start(lattice, 1000, start));
+                coarse += energy(coarse_start(lattice, 1000, seed, start));
             }
             EXPECT_LT(coarse, random * (1 - 1e-3)) << walls_row(walls).word;
         }
@@ -85,9 +84,9 @@ TEST(CoarseStart, LeadsToLowerMinimaBetweenWallsSlow) {
 TEST(CoarseStart, SitesNearWallsAreThoseOfTheNextFinerCells) {
     // The sites of the last level lie as densely beside a wall as elsewhere.
     const Lattice lattice = Lattice::rectangle(1, 1);
-    CoarseStartOptions options = seeded(1);
+    CoarseStartOptions options;
     options.walls = Walls::kXY;
-    const Points points = coarse_start(lattice, 4000, options);
+    const Points points = coarse_start(lattice, 4000, 1, options);
     const double h = std::sqrt(1.0 / 4000);
     int n_beside = 0;
     for (Eigen::Index s = 0; s < points.cols(); ++s) n_beside += points(1, s) < 3 * h;
@@ -96,9 +95,9 @@ TEST(CoarseStart, SitesNearWallsAreThoseOfTheNextFinerCells) {
 
 TEST(CoarseStart, DependsOnTheSeedAndNotOnTheThreads) {
     const Lattice lattice = Lattice::rectangle(1, 1);
-    const Points points = coarse_start(lattice, 40000, seeded(1));
-    EXPECT_EQ(points, coarse_start(lattice, 40000, seeded(1, 2)));
-    EXPECT_NE(points, coarse_start(lattice, 40000, seeded(2)));
+    const Points points = coarse_start(lattice, 40000, 1, {});
+    EXPECT_EQ(points, coarse_start(lattice, 40000, 1, {{.n_threads = 2}}));
+    EXPECT_NE(points, coarse_start(lattice, 40000, 2, {}));
 }
 
 TEST(CoarseStart, LeadsToLowerMinimaWithFewerDefects) {
@@ -106,8 +105,7 @@ TEST(CoarseStart, LeadsToLowerMinimaWithFewerDefects) {
     CvtOptions options;
     options.run.tolerance = 1e-4;
     const CvtResult from_random = compute_cvt(lattice, uniform_points(lattice, 4000, 1), options);
-    const CvtResult from_coarse =
-        compute_cvt(lattice, coarse_start(lattice, 4000, seeded(1)), options);
+    const CvtResult from_coarse = compute_cvt(lattice, coarse_start(lattice, 4000, 1, {}), options);
     EXPECT_LT(from_coarse.run.energy, from_random.run.energy * (1 - 1e-3));
     EXPECT_LT(defects(from_coarse), 0.04);
     EXPECT_GT(defects(from_random), 0.07);
@@ -118,22 +116,22 @@ TEST(CoarseStart, LeadsToLowerMinimaOfSmoothDensitiesToo) {
     CvtOptions options;
     options.density = testing::ridge_density();
     options.run.tolerance = 1e-3;
-    CoarseStartOptions coarse = seeded(1);
+    CoarseStartOptions coarse;
     coarse.density = options.density;
     const CvtResult from_random =
         compute_cvt(lattice, graded_points(lattice, *options.density, 4000, 1), options);
     const CvtResult from_coarse =
-        compute_cvt(lattice, coarse_start(lattice, 4000, coarse), options);
+        compute_cvt(lattice, coarse_start(lattice, 4000, 1, coarse), options);
     EXPECT_LT(from_coarse.run.energy, from_random.run.energy * (1 - 1e-3));
     EXPECT_LT(from_coarse.run.evaluations, from_random.run.evaluations);
     EXPECT_LT(from_coarse.density->spacing_deviation, 0.02);
 }
 
 TEST(CoarseStart, StopsWhenCancelled) {
-    CoarseStartOptions options = seeded(1);
+    CoarseStartOptions options;
     int n_calls = 0;
     options.run.progress = [&](const Progress&) { return ++n_calls < 5; };
-    EXPECT_EQ(coarse_start(Lattice::rectangle(1, 1), 1000, options).cols(), 0);
+    EXPECT_EQ(coarse_start(Lattice::rectangle(1, 1), 1000, 1, options).cols(), 0);
     EXPECT_EQ(n_calls, 5);
 }
 

@@ -33,7 +33,7 @@ InclusionSet random_set(std::mt19937_64& random) {
     if (unit(random) < 0.2) {
         const double fraction = 0.3 + 0.3 * unit(random);
         const auto circles = random_circles(
-            lattice, {.fraction = fraction, .n = 8 + n_shapes, .gap = 0.02, .seed = random()});
+            lattice, {.fraction = fraction, .n = 8 + n_shapes, .gap = 0.02}, random());
         return {lattice, circular_inclusions(circles, 1)};
     }
     const int n_across = int(5 * unit(random));
@@ -133,7 +133,7 @@ CellFigures figures_of(const InterfaceCvt& result) {
 
 TEST(InterfaceCvt, HasGoodCellsRoundThirtyFibresSlow) {
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
-        const auto fibres = random_circles(kSquare, {.fraction = 0.5, .n = 30, .seed = seed});
+        const auto fibres = random_circles(kSquare, {.fraction = 0.5, .n = 30}, seed);
         const InclusionSet set(kSquare, circular_inclusions(fibres, 1));
         const InterfaceCvt result = compute_interface_cvt(set, 10'000, seed, {});
         expect_laws(set, result);
@@ -197,9 +197,9 @@ InclusionSet random_walled_set(std::mt19937_64& random, Walls walls) {
     std::uniform_real_distribution<double> unit(0, 1);
     const Lattice domain = Lattice::rectangle(0.5 + 1.5 * unit(random), 0.5 + 1.5 * unit(random));
     if (unit(random) < 0.3) {
-        const auto circles = random_circles(
-            domain,
-            {.fraction = 0.1 + 0.3 * unit(random), .n = 12, .seed = random(), .walls = walls});
+        const double fraction = 0.1 + 0.3 * unit(random);
+        const auto circles =
+            random_circles(domain, {.fraction = fraction, .n = 12}, random(), walls);
         return {domain, circular_inclusions(circles, 1), walls};
     }
     const int n_shapes = 1 + int(12 * unit(random));

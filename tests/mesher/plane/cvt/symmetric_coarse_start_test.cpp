@@ -14,7 +14,6 @@ namespace {
 
 using testing::expect_symmetric;
 using testing::fitting_lattice;
-using testing::seeded;
 
 PlaneGroup example(PlaneGroupName name) { return {name, fitting_lattice(name)}; }
 
@@ -51,7 +50,7 @@ double mean_share_of_close_pairs(const PlaneGroup& group, int n_on_mirrors, int 
                          std::vector<bool>(special.centres.size(), false)};
     double sum = 0;
     for (int seed = 1; seed <= n_seeds; ++seed) {
-        sum += share_of_close_pairs(*symmetric_coarse_start(group, plan, seeded(seed)));
+        sum += share_of_close_pairs(*symmetric_coarse_start(group, plan, seed, {}));
     }
     return sum / n_seeds;
 }
@@ -64,7 +63,7 @@ TEST(SymmetricCoarseStart, HasTheOrbitsOfThePlanInEveryGroup) {
             for (const int n : {1, 2, 16, 17, 66, 150}) {
                 const OrbitPlan plan{n, std::vector<int>(special.mirrors.size(), occupied ? 2 : 0),
                                      std::vector<bool>(special.centres.size(), occupied)};
-                const auto start = symmetric_coarse_start(group, plan, seeded(1));
+                const auto start = symmetric_coarse_start(group, plan, 1, {});
                 ASSERT_TRUE(start.has_value());
                 expect_symmetric(*start, start->sites);
                 EXPECT_EQ(start->sites.n_sites(), n_sites(group, special, plan)) << row.word;
@@ -88,7 +87,7 @@ TEST(SymmetricCoarseStart, SlowIsEvenInEveryGroup) {
         // Beside a mirror, levels differ most.
         const bool with_mirrors = !special_positions(group).mirrors.empty();
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-            const auto start = symmetric_coarse_start(group, plan, seeded(seed));
+            const auto start = symmetric_coarse_start(group, plan, seed, {});
             EXPECT_LT(energy_over_bound(*start), with_mirrors ? 1.3 : 1.16) << row.word;
             EXPECT_GT(energy_over_bound(random_sites(group, plan, seed)), 1.5) << row.word;
         }
@@ -127,7 +126,7 @@ TEST(SymmetricCoarseStart, SlowLeadsToLowerMinima) {
         double coarse = 0;
         for (std::uint64_t seed = 1; seed <= 2; ++seed) {
             random += compute_cvt(random_sites(group, plan, seed), options).run.energy;
-            const auto start = symmetric_coarse_start(group, plan, seeded(seed));
+            const auto start = symmetric_coarse_start(group, plan, seed, {});
             const CvtResult result = compute_cvt(*start, options);
             expect_symmetric(*start, result.delaunay.sites());
             coarse += result.run.energy;
@@ -138,13 +137,13 @@ TEST(SymmetricCoarseStart, SlowLeadsToLowerMinima) {
 
 TEST(SymmetricCoarseStart, FollowsADensity) {
     const PlaneGroup group(PlaneGroupName::kP4m, Lattice::rectangle(1, 1));
-    CoarseStartOptions options = seeded(1);
+    CoarseStartOptions options;
     // One corner of the asymmetric unit is dense.
     options.density = shared_density([](const DensityPoint& p) {
         return std::exp(2 * std::cos(2 * std::numbers::pi * p.u) +
                         2 * std::cos(2 * std::numbers::pi * p.v));
     });
-    const auto start = symmetric_coarse_start(group, general_plan(group, 200), options);
+    const auto start = symmetric_coarse_start(group, general_plan(group, 200), 1, options);
     ASSERT_TRUE(start.has_value());
     expect_symmetric(*start, start->sites);
     CvtOptions as_given;
@@ -157,19 +156,19 @@ TEST(SymmetricCoarseStart, FollowsADensity) {
 TEST(SymmetricCoarseStart, DependsOnTheSeedAndNotOnTheThreadsSlow) {
     const PlaneGroup group = example(PlaneGroupName::kP6m);
     const OrbitPlan plan = general_plan(group, 6000);
-    const auto one = symmetric_coarse_start(group, plan, seeded(1));
+    const auto one = symmetric_coarse_start(group, plan, 1, {});
     EXPECT_EQ(one->sites.coordinates(),
-              symmetric_coarse_start(group, plan, seeded(1, 3))->sites.coordinates());
+              symmetric_coarse_start(group, plan, 1, {{.n_threads = 3}})->sites.coordinates());
     EXPECT_NE(one->sites.coordinates(),
-              symmetric_coarse_start(group, plan, seeded(2))->sites.coordinates());
+              symmetric_coarse_start(group, plan, 2, {})->sites.coordinates());
 }
 
 TEST(SymmetricCoarseStart, StopsWhenCancelled) {
     const PlaneGroup group = example(PlaneGroupName::kPgg);
-    CoarseStartOptions options = seeded(1);
+    CoarseStartOptions options;
     int n_calls = 0;
     options.run.progress = [&](const Progress&) { return ++n_calls < 5; };
-    EXPECT_FALSE(symmetric_coarse_start(group, general_plan(group, 300), options).has_value());
+    EXPECT_FALSE(symmetric_coarse_start(group, general_plan(group, 300), 1, options).has_value());
     EXPECT_EQ(n_calls, 5);
 }
 

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "mesher/plane/geometry/polygon.hpp"
-#include "mesher/plane/geometry/triangle_shape.hpp"
 #include "mesher/plane/grains/corner_guards.hpp"
 #include "mesher/plane/grains/grain_smoothing.hpp"
+#include "mesher/plane/grains/triangle_shape.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "tests/support/lattices.hpp"
 

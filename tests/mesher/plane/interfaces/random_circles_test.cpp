@@ -37,7 +37,7 @@ TEST(RandomCircles, KeepTheGapAndHaveTheArea) {
                 const double gap =
                     0.1 * std::sqrt(fraction * lattice.area() / n / std::numbers::pi);
                 const auto circles =
-                    random_circles(lattice, {.fraction = fraction, .n = n, .gap = gap});
+                    random_circles(lattice, {.fraction = fraction, .n = n, .gap = gap}, 0);
                 ASSERT_EQ(std::ssize(circles), n);
                 EXPECT_GE(least_gap(lattice, circles), gap * (1 - 1e-9));
                 double area = 0;
@@ -52,9 +52,8 @@ TEST(RandomCircles, KeepTheGapFromWalls) {
     const Lattice lattice = Lattice::rectangle(1.5, 1);
     for (const WallsRow& row : kWalls) {
         for (std::uint64_t seed = 0; seed < 20; ++seed) {
-            const auto circles = random_circles(
-                lattice,
-                {.fraction = 0.35, .n = 15, .gap = 0.01, .seed = seed, .walls = row.walls});
+            const auto circles =
+                random_circles(lattice, {.fraction = 0.35, .n = 15, .gap = 0.01}, seed, row.walls);
             ASSERT_EQ(circles.size(), 15u);
             for (int axis = 0; axis < 2; ++axis) {
                 if (!row.across[axis]) continue;
@@ -75,7 +74,7 @@ TEST(RandomCircles, KeepTheGapFromWalls) {
 
 TEST(RandomCircles, AreInclusions) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const auto circles = random_circles(kOblique, {.fraction = 0.6, .n = 30, .seed = seed});
+        const auto circles = random_circles(kOblique, {.fraction = 0.6, .n = 30}, seed);
         EXPECT_EQ(InclusionSet(kOblique, circular_inclusions(circles, 1)).size(), 30);
     }
 }
@@ -83,7 +82,7 @@ TEST(RandomCircles, AreInclusions) {
 TEST(RandomCircles, DependOnTheSeedAlone) {
     const Lattice unit = Lattice::rectangle(1, 1);
     const auto centre = [&](std::uint64_t seed) {
-        return random_circles(unit, {.fraction = 0.5, .n = 30, .seed = seed})[7].centre;
+        return random_circles(unit, {.fraction = 0.5, .n = 30}, seed)[7].centre;
     };
     EXPECT_EQ(centre(1), centre(1));
     EXPECT_NE(centre(1), centre(2));
@@ -94,19 +93,19 @@ TEST(RandomCircles, DependOnTheSeedAlone) {
 
 TEST(RandomCircles, MayBeOneAndFillTheSquare) {
     const Lattice unit = Lattice::rectangle(1, 1);
-    EXPECT_EQ(random_circles(unit, {.fraction = 0.7, .n = 1}).size(), 1u);
-    EXPECT_THROW(random_circles(unit, {.fraction = 0.79, .n = 1}), InvalidInput);
-    EXPECT_THROW(random_circles(unit, {.fraction = 0.7, .n = 1, .gap = 0.2}), InvalidInput);
+    EXPECT_EQ(random_circles(unit, {.fraction = 0.7, .n = 1}, 0).size(), 1u);
+    EXPECT_THROW(random_circles(unit, {.fraction = 0.79, .n = 1}, 0), InvalidInput);
+    EXPECT_THROW(random_circles(unit, {.fraction = 0.7, .n = 1, .gap = 0.2}, 0), InvalidInput);
 }
 
 TEST(RandomCircles, RefuseNumbersOutOfRange) {
     const Lattice unit = Lattice::rectangle(1, 1);
     for (const double fraction : {-0.1, 0.0, 1.0, std::nan("")}) {
-        EXPECT_THROW(random_circles(unit, {.fraction = fraction, .n = 3}), InvalidInput);
+        EXPECT_THROW(random_circles(unit, {.fraction = fraction, .n = 3}, 0), InvalidInput);
     }
-    EXPECT_THROW(random_circles(unit, {.fraction = 0.3, .n = 0}), InvalidInput);
-    EXPECT_THROW(random_circles(unit, {.fraction = 0.3, .n = 3, .gap = 0}), InvalidInput);
-    EXPECT_THROW(random_circles(unit, {.fraction = 0.9, .n = 30}), InvalidInput);
+    EXPECT_THROW(random_circles(unit, {.fraction = 0.3, .n = 0}, 0), InvalidInput);
+    EXPECT_THROW(random_circles(unit, {.fraction = 0.3, .n = 3, .gap = 0}, 0), InvalidInput);
+    EXPECT_THROW(random_circles(unit, {.fraction = 0.9, .n = 30}, 0), InvalidInput);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 using testing::kSquare;
 
 SearchResult search(const Lattice& period, int n, int budget, int n_threads = 1) {
-    return search_minimum(period, n, {.seed = 0, .budget = budget, .n_threads = n_threads});
+    return search_minimum(period, n, 0, {.run = {.n_threads = n_threads}, .budget = budget});
 }
 
 /// Law (1), and the reported energy is the energy of the sites.
@@ -77,23 +77,23 @@ TEST(GlobalSearch, ReturnsTheLatticeWhereTheBudgetAllowsNoStart) {
 TEST(GlobalSearch, CanBeCancelledAtAnyCall) {
     for (const int last : {1, 2, 40}) {
         int calls = 0;
-        SearchOptions options{.seed = 0, .budget = 100'000, .n_threads = 3};
-        options.progress = [&](const Progress& progress) {
+        SearchOptions options{.run = {.n_threads = 3}, .budget = 100'000};
+        options.run.progress = [&](const Progress& progress) {
             EXPECT_EQ(progress.budget, 100'000);
             return ++calls < last;
         };
-        EXPECT_TRUE(search_minimum(kSquare, 30, options).cancelled);
+        EXPECT_TRUE(search_minimum(kSquare, 30, 0, options).cancelled);
         EXPECT_EQ(calls, last);
     }
 }
 
 TEST(GlobalSearch, CallsBackOnTheCallingThread) {
-    SearchOptions options{.seed = 0, .budget = 3000, .n_threads = 4};
-    options.progress = [caller = std::this_thread::get_id()](const Progress&) {
+    SearchOptions options{.run = {.n_threads = 4}, .budget = 3000};
+    options.run.progress = [caller = std::this_thread::get_id()](const Progress&) {
         EXPECT_EQ(std::this_thread::get_id(), caller);
         return true;
     };
-    search_minimum(kSquare, 30, options);
+    search_minimum(kSquare, 30, 0, options);
 }
 
 TEST(GlobalSearch, RefusesNoSites) { EXPECT_THROW(search(kSquare, 0, 1), InvalidInput); }

@@ -27,9 +27,9 @@ WalledCvt walled(const Lattice& lattice, Walls walls, WallCells cells, int n, st
 /// Whether the vertices of wall edges lie on the walls exactly, and others between them.
 void expect_on_walls(const Tile& tile) {
     for (const WallEdge& edge : tile.wall_edges) {
-        const int axis = wall_side_row(edge.wall.side()).axis;
-        EXPECT_EQ(tile.points[edge.v0][axis], wall_line(edge.wall.side(), tile.lattice));
-        EXPECT_EQ(tile.points[edge.v1][axis], wall_line(edge.wall.side(), tile.lattice));
+        const WallSideRow& wall = wall_side_row(edge.wall.side());
+        EXPECT_EQ(tile.points[edge.v0][wall.axis], wall_line(wall, tile.lattice));
+        EXPECT_EQ(tile.points[edge.v1][wall.axis], wall_line(wall, tile.lattice));
     }
 }
 

@@ -1,4 +1,4 @@
-#include "mesher/plane/geometry/triangle_shape.hpp"
+#include "mesher/plane/grains/triangle_shape.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "mesher/plane/tile/round_tile.hpp"
+#include "mesher/plane/proof/round_tile.hpp"
 
 namespace pcvt::plane {
 
