@@ -38,7 +38,7 @@ WalledCvt compute_walled_cvt(const Lattice& domain, Walls walls, WallCells cells
 using SymmetricRun = std::function<CvtResult(const SymmetricSites&, const CvtOptions&)>;
 
 /// The same by another method than compute_cvt(). The first n_sites sites that `run` receives are
-/// the points, some of them moved onto walls if cells are halved.
+/// the points, or from the second round for half cells on, the last sites, some moved onto walls.
 /// @param domain   without n_on_walls.
 /// @param points   2 x n_sites; they are numbered as given.
 WalledCvt compute_walled_cvt(const WalledDomain& domain, WallCells cells, Points points,
