@@ -161,6 +161,10 @@ struct Format {
     bool states_constants(const FileOptions& options) const {
         return takes_constants && (!takes_job || holds_job(options));
     }
+    /// Whether its files of space hold the surfaces that an option chooses.
+    bool has_surfaces() const {
+        return space.has_value() && space->surfaces == FormatSurfaces::kChosen;
+    }
     bool holds_single_precision(const FileOptions& options) const {
         return is_single_precision || (takes_single_precision && options.single_precision);
     }

@@ -85,14 +85,10 @@ std::string mark(const std::string& option) {
 
 /// The extensions of the formats whose files take an option; nothing for an option of the run.
 std::optional<std::vector<std::string_view>> formats_with(const FeatureRow* feature) {
-    const bool is_surface = feature != nullptr && feature->feature == Feature::kSurface;
-    if (feature == nullptr || (feature->taken == nullptr && !is_surface)) return {};
+    if (feature == nullptr || feature->taken == nullptr) return {};
     std::vector<std::string_view> extensions;
     for (const Format& format : formats()) {
-        if (is_surface ? format.space && format.space->surfaces == FormatSurfaces::kChosen
-                       : format.*feature->taken) {
-            extensions.push_back(format.extension);
-        }
+        if (feature->taken(format)) extensions.push_back(format.extension);
     }
     return extensions;
 }

@@ -86,9 +86,10 @@ struct FeatureRow {
     bool in_space = false;
     /// Whether a job in the plane has it; null where nothing depends on that.
     bool (*is_chosen)(const Job& job) = nullptr;
-    /// As messages about files name it, and the formats that hold it; null for no part of files.
+    /// Its name in the message that no output takes it; null where no file in the plane holds it.
     const char* in_files = nullptr;
-    bool Format::*taken = nullptr;
+    /// Whether a format holds it; null for no part of files.
+    bool (*taken)(const Format& format) = nullptr;
 };
 
 /// In the order of the enumerators.

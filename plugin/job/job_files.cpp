@@ -31,7 +31,7 @@ constexpr double kLargestCutWidth = 1e6;
 std::string extensions_that_take(const FeatureRow& feature) {
     std::string text;
     for (const Format& format : formats()) {
-        if (!(format.*feature.taken)) continue;
+        if (!feature.taken(format)) continue;
         text += (text.empty() ? "" : " or ") + std::string(format.extension);
     }
     return text;
@@ -127,11 +127,11 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files,
         throw InvalidInput("the width to cut is not between 0.001 and 1e6 mm");
     }
     for (const FeatureRow& feature : features()) {
-        if (feature.taken == nullptr || files.empty() || !feature.is_chosen(job)) continue;
+        if (feature.in_files == nullptr || files.empty() || !feature.is_chosen(job)) continue;
         // Files for cutters have no colours and no background.
         const bool taken = std::any_of(files.begin(), files.end(), [&](const JobFile& file) {
             const bool is_cut = cut_width != 0 && file.format->takes_cut_width;
-            return file.format->*feature.taken && (!is_cut || feature.feature == Feature::kCut);
+            return feature.taken(*file.format) && (!is_cut || feature.feature == Feature::kCut);
         });
         if (taken) continue;
         throw InvalidInput(std::string("no output takes ") + feature.in_files + "; add one of " +
