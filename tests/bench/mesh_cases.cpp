@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "io/formats/file_proof.hpp"
+#include "io/outputs/output_set.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/proof/generated_tile.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
