@@ -15,24 +15,30 @@ void require_phase_names(const MaterialChoices& choices) {
     for (const std::string& phase : names) require_free_name("the phase", phase, names);
 }
 
-void require_orientations(const MaterialChoices& choices, int n_sites) {
-    if (choices.orientations.empty()) return;
-    if (choices.orientations.size() == static_cast<std::size_t>(n_sites)) return;
-    throw InvalidInput("there are " + std::to_string(choices.orientations.size()) +
-                       " orientations for " + std::to_string(n_sites) +
-                       " sites; give one for each site");
+void require_one_a_site(const MaterialChoices& choices, int n_sites) {
+    const auto require = [n_sites](std::size_t n, const std::string& name) {
+        if (n == 0 || n == static_cast<std::size_t>(n_sites)) return;
+        throw InvalidInput("there are " + std::to_string(n) + " " + name + " for " +
+                           std::to_string(n_sites) + " sites; give one for each site");
+    };
+    require(choices.site_phases.size(), "phases");
+    require(choices.orientations.size(), "orientations");
 }
 
 CellMaterials choose_materials(const MaterialChoices& choices, const CellTable& cells,
                                std::uint64_t seed) {
-    require_orientations(choices, cells.n_cells());
+    require_one_a_site(choices, cells.n_cells());
     CellMaterials materials;
     std::vector<double> fractions;
     for (const PhaseFraction& phase : choices.phases) {
         materials.phase_names.push_back(phase.name);
         fractions.push_back(phase.fraction);
     }
-    if (!fractions.empty()) materials.site_phase = assign_phases(cells, fractions, seed);
+    if (!choices.site_phases.empty()) {
+        materials.site_phase = choices.site_phases;
+    } else if (!fractions.empty()) {
+        materials.site_phase = assign_phases(cells, fractions, seed);
+    }
     materials.site_orientation = choices.draws_orientations
                                      ? random_orientations(cells.n_cells(), seed)
                                      : choices.orientations;
@@ -48,8 +54,8 @@ std::vector<PhaseFigures> phase_figures(const MaterialChoices& choices,
     for (std::size_t k = 0; k < shares.size(); ++k) {
         const auto n_cells = std::count(materials.site_phase.begin(), materials.site_phase.end(),
                                         static_cast<int>(k));
-        figures.push_back({choices.phases[k].name, choices.phases[k].fraction, shares[k],
-                           static_cast<int>(n_cells)});
+        const double wanted = choices.site_phases.empty() ? choices.phases[k].fraction : shares[k];
+        figures.push_back({choices.phases[k].name, wanted, shares[k], static_cast<int>(n_cells)});
     }
     return figures;
 }

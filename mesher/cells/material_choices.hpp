@@ -13,6 +13,9 @@ namespace pcvt {
 struct MaterialChoices {
     /// As checked_phases() returns them; empty: no phases.
     std::vector<PhaseFraction> phases = {};
+    /// The index of each site's phase in `phases`, whose fractions then do not count; empty: the
+    /// phases are spread evenly.
+    std::vector<int> site_phases = {};
     bool draws_orientations = false;
     /// The orientations of sites 0 ... n - 1, unless they are drawn; empty: no orientations.
     std::vector<BungeAngles> orientations = {};
@@ -24,7 +27,7 @@ struct MaterialChoices {
 /// The target share and the reached share of a phase.
 struct PhaseFigures {
     std::string name;
-    /// Shares of the total area, or volume.
+    /// Shares of the total area, or volume. Of given phases the target is the share they have.
     double wanted;
     double reached;
     int n_cells;
@@ -37,7 +40,7 @@ struct PhaseFigures {
 ///     const CellMaterials materials =
 ///         choose_materials({.phases = parse_phases("a:0.3,b:0.7")}, cells, seed);
 ///
-/// @throws InvalidInput if there is not one orientation for each cell.
+/// @throws InvalidInput if there is not one orientation, or one given phase, for each cell.
 CellMaterials choose_materials(const MaterialChoices& choices, const CellTable& cells,
                                std::uint64_t seed);
 
@@ -46,8 +49,8 @@ CellMaterials choose_materials(const MaterialChoices& choices, const CellTable& 
 /// @throws InvalidInput naming the first such phase.
 void require_phase_names(const MaterialChoices& choices);
 
-/// @throws InvalidInput if there are orientations, but not n_sites.
-void require_orientations(const MaterialChoices& choices, int n_sites);
+/// @throws InvalidInput if there are orientations or given phases, but not n_sites.
+void require_one_a_site(const MaterialChoices& choices, int n_sites);
 
 /// One entry a phase.
 std::vector<PhaseFigures> phase_figures(const MaterialChoices& choices,

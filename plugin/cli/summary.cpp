@@ -170,12 +170,13 @@ std::string hole_text(const Job& job, const RunSummary& summary) {
     return names + "; the " + counted(n_outside, "site") + " outside are numbered from 0";
 }
 
-std::string phase_lines(const RunSummary& summary) {
+std::string phase_lines(const RunSummary& summary, bool are_given) {
     std::string text;
     for (const PhaseFigures& phase : summary.phases) {
-        text += summary_line("phase", phase.name + " " + figure(phase.reached) +
-                                          " of the area in " + std::to_string(phase.n_cells) +
-                                          " cells; wanted " + figure(phase.wanted));
+        text +=
+            summary_line("phase", phase.name + " " + figure(phase.reached) + " of the area in " +
+                                      std::to_string(phase.n_cells) + " cells" +
+                                      (are_given ? "" : "; wanted " + figure(phase.wanted)));
     }
     return text;
 }
@@ -256,8 +257,9 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     if (summary.start.pattern) text += pattern_lines(job, *summary.start.pattern);
     if (summary.density) text += density_lines(*summary.density);
     if (summary.areas) text += area_lines(job, *summary.areas);
+    if (job.weights) text += summary_line("weights", job.weights->name + ", lengths squared");
     text += constraint_lines(job, summary);
-    text += phase_lines(summary);
+    text += phase_lines(summary, !job.materials.site_phases.empty());
     if (summary.angles) text += summary_line("angles", angle_text(*summary.angles));
     text += material_lines(job, summary);
     text += tile_lines(summary);

@@ -54,6 +54,14 @@ constexpr std::array kContradictions{
                   "--areas has a solver of its own; leave --solver out"},
     Contradiction{FeatureSet{F::kAreas}, FeatureSet{F::kStability}, kNone,
                   "--stability does not work with --areas; leave one of them out"},
+    Contradiction{FeatureSet{F::kWeights}, kNone, FeatureSet{F::kGivenSites},
+                  "--weights needs given sites; add their positions, or leave it out"},
+    Contradiction{FeatureSet{F::kWeights}, kNone, FeatureSet{F::kNoIterations},
+                  "--weights keeps sites where they are; add --max-iterations 0, or leave the "
+                  "weights out"},
+    Contradiction{FeatureSet{F::kWeights}, FeatureSet{F::kAreas, F::kDensity, F::kStability}, kNone,
+                  "--weights does not work with --areas, --density or --stability; leave one of "
+                  "them out"},
     Contradiction{FeatureSet{F::kSymmetry}, FeatureSet{F::kGivenSites}, kNone,
                   "--symmetry draws its sites; leave the given sites out, or --symmetry"},
     Contradiction{FeatureSet{F::kSymmetry}, FeatureSet{F::kStartWithEqualCells}, kNone,

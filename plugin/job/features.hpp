@@ -28,6 +28,7 @@ enum class Feature : std::uint8_t {
     kDensity,
     kDensityRange,
     kAreas,
+    kWeights,
     kAspect,
     kHasWalls,
     kHalfCells,

@@ -40,6 +40,14 @@ struct TargetSizes {
     bool is_drawn() const { return given.size() == 0 && law.kind != AreaLaw::Kind::kEqual; }
 };
 
+/// Weights of given sites, whose cells are power cells.
+struct GivenWeights {
+    /// One a site, length^2.
+    Eigen::VectorXd values;
+    /// Their file, for the report.
+    std::string name;
+};
+
 /// Elongated cells: as Metric.
 struct Aspect {
     double ratio = 1;
@@ -111,7 +119,12 @@ struct Job {
     /// Cells of prescribed areas: power cells. Excludes a density, and starts and solvers of cells
     /// that are all alike.
     std::optional<TargetSizes> areas;
-    /// The cells are Voronoi cells, or with `areas` power cells, in this metric.
+    /// The power cells of given sites that stay where they are, with max_iterations 0. Excludes a
+    /// density, areas, and the stability.
+    std::optional<GivenWeights> weights;
+    /// Whether the cells are power cells.
+    bool has_weights() const { return areas.has_value() || weights.has_value(); }
+    /// The cells are Voronoi cells, or power cells, in this metric.
     std::optional<Aspect> aspect;
     /// The sites are drawn, and remain, with the symmetry of this plane group; the lattice must fit
     /// it. Excludes given sites, areas, and starts that are not random.

@@ -224,7 +224,7 @@ void check_job(const Job& job) {
     check_holes(job);
     if (job.inclusions) require_tag_names(*job.inclusions);
     require_phase_names(job.materials);
-    require_orientations(job.materials, job.n_wanted());
+    require_one_a_site(job.materials, job.n_wanted());
     check_constraints(job);
 }
 

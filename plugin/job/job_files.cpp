@@ -67,7 +67,7 @@ FormatRequest format_request(const Job& job) {
             .n_sites = double(job.n_wanted()),
             .walls = job.walls,
             .has_holes = !job.holes.empty(),
-            .has_weights = job.areas.has_value(),
+            .has_weights = job.has_weights(),
             .files = job.file_options};
 }
 

@@ -105,8 +105,8 @@ double file_bytes(const Job& job, const JobFile& file) {
 /// The sites, from their start to the end of their optimisation.
 double site_bytes(const Job& job) {
     const bool is_fixed = job.run.max_iterations == 0;
-    const double moving = job.areas ? (is_fixed ? kFittingAreas : kMovingWithAreas)
-                                    : (is_fixed ? kTriangulating : kOptimising);
+    const double moving = job.has_weights() ? (is_fixed ? kFittingAreas : kMovingWithAreas)
+                                            : (is_fixed ? kTriangulating : kOptimising);
     return n_sites(job) * (moving + (job.density ? kWithDensity : 0));
 }
 

@@ -107,6 +107,16 @@ void append_density(JsonWriter& json, const Job& job, const RunSummary& summary)
     json.member("rough_cells", figures.n_rough_cells);
 }
 
+void append_weights(JsonWriter& json, const Job& job) {
+    if (!job.weights) return;
+    const Eigen::VectorXd& weights = job.weights->values;
+    json.object("weights", [&] {
+        json.member("source", job.weights->name);
+        json.member("least", weights.minCoeff());
+        json.member("greatest", weights.maxCoeff());
+    });
+}
+
 void append_areas(JsonWriter& json, const Job& job, const RunSummary& summary) {
     if (!summary.areas) return;
     const plane::AreaSummary& areas = *summary.areas;
@@ -224,6 +234,7 @@ void append_choices(JsonWriter& json, const Job& job, const RunSummary& summary)
     append_grains(json, summary);
     append_density(json, job, summary);
     append_areas(json, job, summary);
+    append_weights(json, job);
     if (job.aspect) {
         json.object("aspect", [&] {
             json.member("ratio", job.aspect->ratio);

@@ -238,6 +238,8 @@ bool settle(Job& job, Domain& domain) {
     if (domain.points.cols() == 0) return true;
     if (job.n_sites > 0) job.n_sites = static_cast<int>(kept.size());
     if (job.areas) keep_entries(kept, n, job.areas->given);
+    if (job.weights) keep_entries(kept, n, job.weights->values);
+    keep_entries(kept, n, job.materials.site_phases);
     keep_entries(kept, n, job.materials.orientations);
     return true;
 }

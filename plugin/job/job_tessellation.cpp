@@ -52,6 +52,9 @@ plane::Tessellation tessellate(const Job& job, JobStart& start, JobMonitor& moni
         begin();
         return monitor.iteration(progress);
     };
+    if (job.weights) {
+        return tessellate(lattice, job.walls, start.points, job.weights->values, run);
+    }
     plane::CvtOptions options{.run = run,
                               .precondition_below = start.precondition_below,
                               .numbering = start.numbering,

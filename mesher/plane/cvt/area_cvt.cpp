@@ -7,7 +7,7 @@
 #include "mesher/cvt/residuals.hpp"
 #include "mesher/optimize/lbfgs.hpp"
 #include "mesher/plane/energy/energy.hpp"
-#include "mesher/plane/power/power_flips.hpp"
+#include "mesher/plane/power/power_diagram.hpp"
 #include "mesher/plane/symmetry/symmetric_objective.hpp"
 
 namespace pcvt::plane {
@@ -148,16 +148,6 @@ RunStatistics minimize(AreaObjective& all, const OrbitEmbedding* orbits, double 
     return run;
 }
 
-/// Turns the released Delaunay triangulation into the regular one.
-PeriodicDelaunay weighted(std::pair<Sites, TorusTriangulation> released, Eigen::VectorXd weights) {
-    auto& [sites, triangulation] = released;
-    const Lattice& reduced = sites.reduction().reduced;
-    const double unit = gram_unit(reduced);
-    const Eigen::VectorXd gram_weights = weights / (unit * unit);
-    PowerFlips(triangulation, sites.coordinates(), gram_of(reduced), gram_weights).run();
-    return {std::move(sites), std::move(triangulation), std::move(weights)};
-}
-
 /// A symmetry of sites, in the order of their triangulation.
 struct TiedSites {
     OrbitEmbedding moves;
@@ -197,7 +187,7 @@ AreaCvtResult minimized(MovingDelaunay delaunay, const TiedSites* tied,
         weights[delaunay.original_id(s)] = objective.weights()[s] * unit * unit;
     }
     const DelaunayCounts counts = delaunay.counts();
-    return {.delaunay = weighted(delaunay.release(), std::move(weights)),
+    return {.delaunay = weighted_delaunay(delaunay.release(), std::move(weights)),
             .run = run,
             .areas = objective.figures(),
             .counts = counts};

@@ -23,4 +23,14 @@ CellGraph PowerDiagram::graph() const {
     return cells;
 }
 
+PeriodicDelaunay weighted_delaunay(std::pair<Sites, TorusTriangulation> released,
+                                   Eigen::VectorXd weights) {
+    auto& [sites, triangulation] = released;
+    const Lattice& reduced = sites.reduction().reduced;
+    const double unit = gram_unit(reduced);
+    const Eigen::VectorXd gram_weights = weights / (unit * unit);
+    PowerFlips(triangulation, sites.coordinates(), gram_of(reduced), gram_weights).run();
+    return {std::move(sites), std::move(triangulation), std::move(weights)};
+}
+
 }  // namespace pcvt::plane

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "mesher/cells/cell_graph.hpp"
 #include "mesher/plane/delaunay/moving_delaunay.hpp"
+#include "mesher/plane/delaunay/periodic_delaunay.hpp"
 #include "mesher/plane/power/power_cells.hpp"
 
 namespace pcvt::plane {
@@ -60,5 +62,10 @@ class PowerDiagram {
     std::vector<double> heights_;
     Eigen::VectorXd areas_;
 };
+
+/// Turns a Delaunay triangulation that MovingDelaunay::release() gave into the regular one.
+/// @param weights  of the sites in their order, length^2; no site is hidden.
+PeriodicDelaunay weighted_delaunay(std::pair<Sites, TorusTriangulation> released,
+                                   Eigen::VectorXd weights);
 
 }  // namespace pcvt::plane

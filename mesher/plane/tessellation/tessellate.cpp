@@ -7,6 +7,7 @@
 #include "mesher/plane/cvt/interface_cvt.hpp"
 #include "mesher/plane/cvt/walled_area_cvt.hpp"
 #include "mesher/plane/cvt/walled_cvt.hpp"
+#include "mesher/plane/cvt/weighted_cells.hpp"
 #include "mesher/plane/mesh/interface_proof.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "mesher/plane/mesh/walled_mesh.hpp"
@@ -89,6 +90,14 @@ Tessellation tessellate(const Lattice& lattice, const WallChoice& walls, Points 
     }
     WalledAreaCvt walled =
         compute_walled_area_cvt(lattice, walls.walls, walls.cells, std::move(points), options);
+    return tessellation_of(std::move(walled.torus), walled.domain);
+}
+
+Tessellation tessellate(const Lattice& lattice, Walls walls, const Points& points,
+                        const Eigen::VectorXd& weights, const RunOptions& run) {
+    if (walls == Walls::kNone)
+        return tessellation_of(weighted_cells(lattice, points, weights, run));
+    WalledCvt walled = walled_weighted_cells(lattice, walls, points, weights, run);
     return tessellation_of(std::move(walled.torus), walled.domain);
 }
 

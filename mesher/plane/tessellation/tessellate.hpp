@@ -48,6 +48,11 @@ Tessellation tessellate(const SymmetricSites& start, const CvtOptions& options);
 Tessellation tessellate(const Lattice& lattice, const WallChoice& walls, Points points,
                         const AreaCvtOptions& options);
 
+/// Gives sites that stay where they are the power cells of weights, length^2.
+/// @throws as weighted_cells() and walled_weighted_cells() do.
+Tessellation tessellate(const Lattice& lattice, Walls walls, const Points& points,
+                        const Eigen::VectorXd& weights, const RunOptions& run);
+
 /// Computes n cells of which each lies inside of an inclusion or outside of all, and proves that.
 /// @throws as compute_interface_cvt() does.
 /// @throws InternalError  an outline does not follow edges of the cells: a fault of pcvt.
