@@ -6,9 +6,9 @@
 namespace pcvt {
 namespace {
 
-bool names_input(const std::string& path) {
+bool is_there(const std::string& path) {
     std::error_code unknown;
-    return path == "-" || (!path.empty() && std::filesystem::exists(path, unknown));
+    return !path.empty() && std::filesystem::exists(path, unknown);
 }
 
 std::vector<std::string> split_at_commas(std::string_view text) {
@@ -25,7 +25,7 @@ std::vector<std::string> split_at_commas(std::string_view text) {
 
 TableName parse_table_name(const std::string& text,
                            std::initializer_list<std::string_view> prefixes) {
-    if (names_input(text)) return {.path = text};
+    if (is_there(text)) return {.path = text};
     TableName name{.path = text};
     const std::size_t first = text.find(':');
     const std::string_view head = std::string_view(text).substr(0, std::min(first, text.size()));
@@ -33,7 +33,7 @@ TableName parse_table_name(const std::string& text,
         std::find(prefixes.begin(), prefixes.end(), head) != prefixes.end()) {
         name.prefix = head;
         name.path = text.substr(first + 1);
-        if (names_input(name.path)) return name;
+        if (is_there(name.path)) return name;
     }
     const std::size_t last = name.path.rfind(':');
     if (last == std::string::npos || last == 0 || last + 1 == name.path.size()) return name;
