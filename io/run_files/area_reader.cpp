@@ -81,8 +81,7 @@ std::string description(const TableScanner& scanner, const TableName& name,
 }
 
 Eigen::VectorXd areas_of(const std::vector<double>& sizes, SizeKind kind) {
-    const Eigen::VectorXd values =
-        Eigen::Map<const Eigen::VectorXd>(sizes.data(), std::ssize(sizes));
+    Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(sizes.data(), std::ssize(sizes));
     if (kind == SizeKind::kDiameter) return areas_of_diameters(values);
     if (kind == SizeKind::kRadius) return areas_of_diameters(2 * values);
     return values;

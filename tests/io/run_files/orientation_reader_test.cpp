@@ -2,6 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "io/bytes/bad_file.hpp"
+
 namespace pcvt {
 namespace {
 
