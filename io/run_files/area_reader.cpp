@@ -1,9 +1,11 @@
 #include "io/run_files/area_reader.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/text.hpp"
+#include "io/run_files/size_column.hpp"
 #include "mesher/cells/target_areas.hpp"
 
 namespace pcvt {
@@ -13,11 +15,76 @@ namespace {
 constexpr double kLeastSize = 1e-150;
 constexpr double kLargestSize = 1e150;
 
-double parse_size(const LineScanner& scanner, std::string_view word) {
-    const double size = scanner.number(word);
+double parse_size(TableScanner& scanner, std::size_t column, bool is_first) {
+    const double size = scanner.number(column);
     if (size >= kLeastSize && size <= kLargestSize) return size;
-    scanner.throw_bad_file(in_quotes(word) +
-                           " is no size of a cell; give a number from 1e-150 to 1e150");
+    const std::string_view field = scanner.fields()[column];
+    if (size == 0 && is_first && column > 0 && scanner.fields()[0] == "0") {
+        scanner.refuse(column, in_quotes(field) +
+                                   " is no size of a cell, but exporters list a feature 0 without "
+                                   "a size; remove the line");
+    }
+    scanner.refuse(column,
+                   in_quotes(field) + " is no size of a cell; give a number from 1e-150 to 1e150");
+}
+
+/// Refuses a table without a header that has several columns, none of which is named.
+void require_one_word(const TableScanner& scanner, const TableName& name) {
+    const std::size_t n = scanner.fields().size();
+    if (n == 1) return;
+    const std::string named = "name a column, such as " + with_columns(name, name.prefix, "2");
+    if (n == 2 && scanner.separator() == Separator::kComma) {
+        const std::string both =
+            std::string(scanner.fields()[0]) + "," + std::string(scanner.fields()[1]);
+        scanner.refuse(in_quotes(both) +
+                       " is not a number; write a decimal point, or where the comma separates two "
+                       "columns " +
+                       named);
+    }
+    scanner.refuse("this line has " + std::to_string(n) + " words; write one area a line, or " +
+                   named);
+}
+
+/// Refuses column 1 of "0,5", which is rather one number than two columns.
+void refuse_decimal_commas(const TableScanner& scanner, std::size_t column) {
+    const std::vector<std::string_view>& fields = scanner.fields();
+    if (scanner.has_header() || column != 0 || fields.size() != 2 ||
+        scanner.separator() != Separator::kComma) {
+        return;
+    }
+    const bool are_digits = std::all_of(fields.begin(), fields.end(), [](std::string_view field) {
+        return !field.empty() && field.find_first_not_of("0123456789") == std::string_view::npos;
+    });
+    if (!are_digits) return;
+    scanner.refuse(
+        "'" + std::string(fields[0]) + "," + std::string(fields[1]) +
+        "' may be one number or two; write decimal points, or semicolons between columns");
+}
+
+std::string description(const TableScanner& scanner, const TableName& name,
+                        const SizeColumn& sizes) {
+    const bool is_plain = name.columns.empty() && name.prefix.empty() && scanner.n_columns() == 1;
+    if (is_plain && (!scanner.has_header() || (scanner.header()[0].name == "diameter" &&
+                                               scanner.header()[0].unit.empty()))) {
+        return name.path;
+    }
+    std::string text = size_words(sizes.kind).plural;
+    if (scanner.has_header() || !name.columns.empty()) {
+        const TableColumn column = scanner.has_header()
+                                       ? scanner.header()[sizes.column]
+                                       : TableColumn{.name = std::to_string(sizes.column + 1)};
+        const std::string quoted = in_quotes(column.name);
+        text += " of column " + quoted.substr(1, quoted.size() - 2) +
+                (column.unit.empty() ? "" : " (" + column.unit + ")");
+    }
+    return text + " of " + name.path;
+}
+
+Eigen::VectorXd areas_of(const std::vector<double>& sizes, SizeKind kind) {
+    Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(sizes.data(), std::ssize(sizes));
+    if (kind == SizeKind::kDiameter) return areas_of_diameters(values);
+    if (kind == SizeKind::kRadius) return areas_of_diameters(2 * values);
+    return values;
 }
 
 BadFile at_line(const AreaFile& file, int line, const std::string& complaint) {
@@ -26,34 +93,35 @@ BadFile at_line(const AreaFile& file, int line, const std::string& complaint) {
 
 }  // namespace
 
-AreaFile parse_areas(const std::string& name, std::string_view text) {
-    refuse_binary(name, text, "give a text with one area a line");
-    AreaFile file{name, {}, {}};
+AreaFile parse_areas(const TableName& name, std::string_view text) {
+    refuse_binary(name.path, text, "give a text with one area a line");
+    AreaFile file{.name = name.path};
+    TableScanner scanner(name.path, text);
     std::vector<double> sizes;
-    bool are_diameters = false;
-    LineScanner scanner(name, text);
-    while (scanner.next()) {
-        const std::vector<std::string_view> words = words_before_comment(scanner);
-        if (words.empty()) continue;
-        if (words.size() > 1) {
-            scanner.throw_bad_file("this line has " + std::to_string(words.size()) +
-                                   " words; write one area a line");
+    if (scanner.n_columns() > 0) {
+        const SizeColumn found = find_sizes(scanner, name);
+        const bool is_unnamed = name.columns.empty() && !scanner.has_header();
+        while (scanner.next()) {
+            if (is_unnamed) require_one_word(scanner, name);
+            if (sizes.empty()) refuse_decimal_commas(scanner, found.column);
+            sizes.push_back(parse_size(scanner, found.column, sizes.empty()));
+            file.lines.push_back(scanner.line());
         }
-        if (words[0] == "diameter" && sizes.empty() && !are_diameters) {
-            are_diameters = true;
-            continue;
-        }
-        sizes.push_back(parse_size(scanner, words[0]));
-        file.lines.push_back(scanner.line());
+        file.areas = areas_of(sizes, found.kind);
+        file.description = description(scanner, name, found);
     }
-    if (sizes.empty()) throw BadFile(name + ": holds no area; give one a line, one for each site");
-    file.areas = Eigen::Map<const Eigen::VectorXd>(sizes.data(), std::ssize(sizes));
-    if (are_diameters) file.areas = areas_of_diameters(file.areas);
+    if (sizes.empty()) {
+        throw BadFile(name.path + ": holds no area; give one a line, one for each site");
+    }
     return file;
 }
 
-AreaFile read_areas(const std::string& path) {
-    return parse_areas(path, read_whole_file(path, kSiteInput));
+AreaFile read_areas(const TableName& name) {
+    return parse_areas(name, read_whole_file(name.path, kSiteInput));
+}
+
+TableName area_table(const std::string& text) {
+    return parse_table_name(text, {"area", "diameter", "radius"});
 }
 
 void require_areas(const AreaFile& file, int n_sites) {

@@ -6,32 +6,39 @@
 #include <vector>
 
 #include "io/bytes/bad_file.hpp"
+#include "io/run_files/table_name.hpp"
 
 namespace pcvt {
 
-/// The target areas of cells in a text file; site s has the s-th line that holds a number.
+/// The target areas of cells in a table; site s has the s-th row.
 ///
 /// Example usage:
-///     const AreaFile file = read_areas("grains.txt");
+///     const AreaFile file = read_areas(area_table("ebsd.csv:ECD"));
 ///     require_areas(file, n_sites);
 ///     const Eigen::VectorXd areas = scaled_areas(file.areas, n_sites, lattice.area());
 struct AreaFile {
     /// The file's name in messages.
-    std::string name;
+    std::string name = {};
     /// In any unit: diameters have become areas of circles.
-    Eigen::VectorXd areas;
+    Eigen::VectorXd areas = {};
     /// The line of each area, counted from 1.
-    std::vector<int> lines;
+    std::vector<int> lines = {};
+    /// The contents for a summary: "diameters of column ECD (um) of ebsd.csv"; the file's name for
+    /// a single column of areas without a header, or of diameters under the word `diameter`.
+    std::string description = {};
 };
 
-/// Reads one area per line or, below a line with the word `diameter`, one equivalent diameter.
-/// Accepts blank lines, comments after a #, CRLF, a byte order mark and tabs.
+/// Reads [area:|diameter:|radius:]FILE[:COLUMN].
+TableName area_table(const std::string& text);
+
+/// Reads one area a row, or one equivalent diameter or radius as the header or the prefix says:
+/// a table as TableScanner takes it, with the column that find_sizes() finds.
 /// @throws BadFile with the line for any other text and for numbers that are not between 1e-150 and
 ///         1e150.
-AreaFile parse_areas(const std::string& name, std::string_view text);
+AreaFile parse_areas(const TableName& name, std::string_view text);
 
 /// Reads the areas of a regular file.
-AreaFile read_areas(const std::string& path);
+AreaFile read_areas(const TableName& name);
 
 /// Requires one area for each site, and that none is below kLeastArea of their mean.
 /// @throws BadFile naming the line.

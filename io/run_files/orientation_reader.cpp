@@ -6,6 +6,7 @@
 
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/text.hpp"
+#include "io/run_files/angle_columns.hpp"
 
 namespace pcvt {
 namespace {
@@ -24,15 +25,14 @@ double in_degrees(double radians) {
     return std::clamp(radians * (180 / std::numbers::pi), -360.0, 360.0);
 }
 
-BungeAngles parse_angles(const LineScanner& scanner, const std::vector<std::string_view>& words,
-                         AngleUnit unit) {
-    const BungeAngles angles{scanner.number(words[0]), scanner.number(words[1]),
-                             scanner.number(words[2])};
+BungeAngles parse_angles(TableScanner& scanner, const AngleColumns& found) {
+    const BungeAngles angles{scanner.number(found.columns[0]), scanner.number(found.columns[1]),
+                             scanner.number(found.columns[2])};
     try {
-        if (unit != AngleUnit::kRadians) return checked_angles(angles);
+        if (found.unit != AngleUnit::kRadians) return checked_angles(angles);
         return {in_degrees(angles.phi1), in_degrees(angles.Phi), in_degrees(angles.phi2)};
     } catch (const InvalidInput& fault) {
-        scanner.throw_bad_file(fault.what());
+        scanner.refuse(fault.what());
     }
 }
 
@@ -49,33 +49,39 @@ bool look_like_radians(std::span<const BungeAngles> angles) {
            largest_tilt <= kHalfTurn * (1 + kRounding) && largest > kSmallAngle;
 }
 
-std::vector<BungeAngles> parse_orientations(const std::string& name, std::string_view text,
-                                            AngleUnit unit) {
-    refuse_binary(name, text, "give a text with \"phi1 Phi phi2\" a line");
-    LineScanner scanner(name, text);
+TableName orientation_table(const std::string& text) {
+    return parse_table_name(text, {"rad", "deg"});
+}
+
+std::vector<BungeAngles> parse_orientations(const TableName& name, std::string_view text) {
+    refuse_binary(name.path, text, "give a text with \"phi1 Phi phi2\" a line");
+    TableScanner scanner(name.path, text);
     std::vector<BungeAngles> orientations;
+    AngleColumns found;
+    if (scanner.n_columns() > 0) found = find_angles(scanner, name);
+    const bool are_unnamed = name.columns.empty() && !scanner.has_header();
     while (scanner.next()) {
-        const std::vector<std::string_view> words = scanner.words_before_comment();
-        if (words.empty()) continue;
-        if (words.size() != 3) {
-            scanner.throw_bad_file("an orientation has 3 angles, this line has " +
-                                   std::to_string(words.size()) + "; write \"phi1 Phi phi2\"");
+        if (are_unnamed && scanner.fields().size() != found.columns.size()) {
+            scanner.refuse("an orientation has 3 angles, this line has " +
+                           std::to_string(scanner.fields().size()) +
+                           "; write \"phi1 Phi phi2\", or name three columns, " +
+                           with_columns(name, name.prefix, "1,2,3"));
         }
-        orientations.push_back(parse_angles(scanner, words, unit));
+        orientations.push_back(parse_angles(scanner, found));
     }
     if (orientations.empty()) {
-        throw BadFile(name + ": holds no orientation; give one \"phi1 Phi phi2\" a line");
+        throw BadFile(name.path + ": holds no orientation; give one \"phi1 Phi phi2\" a line");
     }
-    if (unit == AngleUnit::kGuessed && look_like_radians(orientations)) {
-        throw BadFile(name +
+    if (found.unit == AngleUnit::kGuessed && look_like_radians(orientations)) {
+        throw BadFile(name.path +
                       ": no angle is above 2 pi and no Phi above pi, so the angles look like "
                       "radians; take --orientations rad:FILE, or deg:FILE if they are degrees");
     }
     return orientations;
 }
 
-std::vector<BungeAngles> read_orientations(const std::string& path, AngleUnit unit) {
-    return parse_orientations(path, read_whole_file(path, kSiteInput), unit);
+std::vector<BungeAngles> read_orientations(const TableName& name) {
+    return parse_orientations(name, read_whole_file(name.path, kSiteInput));
 }
 
 }  // namespace pcvt

@@ -1,9 +1,12 @@
 #include "io/run_files/site_reader.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/text.hpp"
+#include "io/run_files/table_reader.hpp"
 #include "mesher/base/site_id.hpp"
 
 namespace pcvt {
@@ -16,40 +19,103 @@ template <>
 struct Words<2> {
     static constexpr const char* kSite = "a site has 2 coordinates";
     static constexpr const char* kForm = "\"x y\"";
+    static constexpr const char* kColumns = "X,Y";
 };
 template <>
 struct Words<3> {
     static constexpr const char* kSite = "a site in space has 3 coordinates";
     static constexpr const char* kForm = "\"x y z\"";
+    static constexpr const char* kColumns = "X,Y,Z";
 };
 
 template <int Dimension>
 using Site = Eigen::Matrix<double, Dimension, 1>;
 
+/// The columns of the coordinates.
 template <int Dimension>
-Site<Dimension> parse_site(const LineScanner& scanner, const std::vector<std::string_view>& words) {
-    std::vector<double> numbers;
-    for (const std::string_view word : words) numbers.push_back(scanner.number(word));
-    if (numbers.size() != Dimension) {
-        const bool is_of_space = Dimension == 2 && numbers.size() == 3;
-        scanner.throw_bad_file(std::string(Words<Dimension>::kSite) + ", this line has " +
-                               std::to_string(numbers.size()) + "; write " +
-                               Words<Dimension>::kForm +
-                               (is_of_space ? ", or give three periods" : ""));
+using Columns = std::array<std::size_t, Dimension>;
+
+/// Returns the columns x, y and z of a header.
+template <int Dimension>
+Columns<Dimension> coordinate_columns(const TableScanner& scanner, const TableName& name) {
+    constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
+    Columns<Dimension> columns{};
+    for (std::size_t k = 0; k < Dimension; ++k) {
+        const std::optional<std::size_t> found = scanner.find(kNames[k]);
+        if (!found) {
+            scanner.refuse_header("the header has no column " + std::string(kNames[k]) +
+                                  "; name the columns of the coordinates, " +
+                                  with_columns(name, "", Words<Dimension>::kColumns));
+        }
+        if (scanner.header()[*found].unit != scanner.header()[columns[0]].unit && k > 0) {
+            scanner.refuse_header("columns x and " + std::string(kNames[k]) +
+                                  " do not have the same unit; state one for all coordinates");
+        }
+        columns[k] = *found;
     }
-    return Site<Dimension>(numbers.data());
+    if (Dimension == 2 && scanner.find("z")) {
+        scanner.refuse_header(
+            "the header has a column z; give three periods, or name two columns, " +
+            with_columns(name, "", Words<Dimension>::kColumns));
+    }
+    return columns;
+}
+
+/// Returns the columns of the coordinates; nothing if a row consists of them.
+template <int Dimension>
+std::optional<Columns<Dimension>> site_columns(TableScanner& scanner, const TableName& name) {
+    if (scanner.n_columns() == 0) return std::nullopt;
+    if (name.columns.empty()) {
+        if (!scanner.has_header()) return std::nullopt;
+        return coordinate_columns<Dimension>(scanner, name);
+    }
+    if (name.columns.size() != Dimension) {
+        const std::size_t n = name.columns.size();
+        scanner.refuse_header(std::string(Words<Dimension>::kSite) + ", " + std::to_string(n) +
+                              (n == 1 ? " column is" : " columns are") + " named; write " +
+                              with_columns(name, "", Words<Dimension>::kColumns));
+    }
+    const std::vector<std::size_t> chosen = scanner.choose(name.columns);
+    Columns<Dimension> columns{};
+    std::copy(chosen.begin(), chosen.end(), columns.begin());
+    return columns;
+}
+
+/// Reads the site of a row that has its coordinates only.
+template <int Dimension>
+Site<Dimension> parse_row(TableScanner& scanner) {
+    Site<Dimension> site;
+    const std::size_t n = scanner.fields().size();
+    for (std::size_t k = 0; k < n; ++k) {
+        const double coordinate = scanner.number(k);
+        if (k < Dimension) site[static_cast<Eigen::Index>(k)] = coordinate;
+    }
+    if (n != Dimension) {
+        const bool is_of_space = Dimension == 2 && n == 3;
+        scanner.refuse(std::string(Words<Dimension>::kSite) + ", this line has " +
+                       std::to_string(n) + "; write " + Words<Dimension>::kForm +
+                       (is_of_space ? ", or give three periods" : ""));
+    }
+    return site;
 }
 
 /// Calls visit(site, its line) for each site until it returns false; returns whether it never did.
 template <int Dimension, class Visit>
-bool for_each_site(const std::string& name, std::string_view text, const Visit& visit) {
-    refuse_binary(name, text,
+bool for_each_site(const TableName& name, std::string_view text, const Visit& visit) {
+    const std::string file = name.path == "-" ? "standard input" : name.path;
+    refuse_binary(file, text,
                   std::string("give a text with ") + Words<Dimension>::kForm + " a line");
-    LineScanner scanner(name, text);
+    TableScanner scanner(file, text);
+    const std::optional<Columns<Dimension>> columns = site_columns<Dimension>(scanner, name);
     while (scanner.next()) {
-        const std::vector<std::string_view> words = scanner.words_before_comment();
-        if (words.empty()) continue;
-        if (!visit(parse_site<Dimension>(scanner, words), scanner.line())) return false;
+        Site<Dimension> site;
+        if (columns) {
+            for (int k = 0; k < Dimension; ++k)
+                site[k] = scanner.number((*columns)[std::size_t(k)]);
+        } else {
+            site = parse_row<Dimension>(scanner);
+        }
+        if (!visit(site, scanner.line())) return false;
     }
     return true;
 }
@@ -58,8 +124,8 @@ template <int Dimension>
 bool are_read_back(const std::string& name, std::string_view text,
                    const Eigen::Matrix<double, Dimension, Eigen::Dynamic>& sites) {
     Eigen::Index n = 0;
-    const bool same =
-        for_each_site<Dimension>(name, text, [&](const Site<Dimension>& site, int /*line*/) {
+    const bool same = for_each_site<Dimension>(
+        {.path = name}, text, [&](const Site<Dimension>& site, int /*line*/) {
             return n < sites.cols() && site == sites.col(n++);
         });
     return same && n == sites.cols();
@@ -89,8 +155,8 @@ BadFile with_lines(const SiteFileOf<Dimension>& file, const DuplicateSites& dupl
 }  // namespace
 
 template <int Dimension>
-SiteFileOf<Dimension> parse_sites(const std::string& name, std::string_view text) {
-    SiteFileOf<Dimension> file{name, {}, {}};
+SiteFileOf<Dimension> parse_sites(const TableName& name, std::string_view text) {
+    SiteFileOf<Dimension> file{name.path == "-" ? "standard input" : name.path, {}, {}};
     std::vector<Site<Dimension>> sites;
     for_each_site<Dimension>(name, text, [&](const Site<Dimension>& site, int line) {
         sites.push_back(site);
@@ -98,7 +164,8 @@ SiteFileOf<Dimension> parse_sites(const std::string& name, std::string_view text
         return true;
     });
     if (sites.empty()) {
-        throw BadFile(name + ": holds no site; give one " + Words<Dimension>::kForm + " a line");
+        throw BadFile(file.name + ": holds no site; give one " + Words<Dimension>::kForm +
+                      " a line");
     }
     file.points.resize(Dimension, static_cast<Eigen::Index>(sites.size()));
     std::copy(sites.begin(), sites.end(), file.points.colwise().begin());
@@ -106,15 +173,15 @@ SiteFileOf<Dimension> parse_sites(const std::string& name, std::string_view text
 }
 
 template <int Dimension>
-SiteFileOf<Dimension> read_sites(const std::string& path) {
-    if (path == "-") return parse_sites<Dimension>("standard input", read_standard_input());
-    return parse_sites<Dimension>(path, read_whole_file(path, kSiteInput));
+SiteFileOf<Dimension> read_sites(const TableName& name) {
+    return parse_sites<Dimension>(
+        name, name.path == "-" ? read_standard_input() : read_whole_file(name.path, kSiteInput));
 }
 
-template SiteFile parse_sites<2>(const std::string& name, std::string_view text);
-template SpaceSiteFile parse_sites<3>(const std::string& name, std::string_view text);
-template SiteFile read_sites<2>(const std::string& path);
-template SpaceSiteFile read_sites<3>(const std::string& path);
+template SiteFile parse_sites<2>(const TableName& name, std::string_view text);
+template SpaceSiteFile parse_sites<3>(const TableName& name, std::string_view text);
+template SiteFile read_sites<2>(const TableName& name);
+template SpaceSiteFile read_sites<3>(const TableName& name);
 
 bool reads_back(const std::string& name, std::string_view text, const Eigen::Matrix2Xd& sites) {
     return are_read_back<2>(name, text, sites);

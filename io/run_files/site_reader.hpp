@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "io/bytes/bad_file.hpp"
+#include "io/run_files/table_name.hpp"
 #include "mesher/plane/geometry/lattice.hpp"
 
 namespace pcvt {
 
-/// The sites of a text file; SiteId s belongs to the s-th line that holds a site, counted from 0.
+/// The sites of a table; SiteId s belongs to the s-th row, counted from 0.
 ///
 /// Example usage:
-///     const SiteFile file = read_sites<2>("sites.txt");
+///     const SiteFile file = read_sites<2>(parse_table_name("sites.txt"));
 ///     const Sites sites(lattice, file.points);
 template <int Dimension>
 struct SiteFileOf {
@@ -28,15 +29,15 @@ using SpaceSiteFile = SiteFileOf<3>;
 
 // For 2 and 3 dimensions.
 
-/// Reads one site "x y", or "x y z", per line. Accepts blank lines, comments after a #, CRLF, a
-/// byte order mark, tabs and a last line without an end.
+/// Reads one site "x y", or "x y z", a row: a table as TableScanner takes it. The columns are those
+/// that are named; else in a header those called x, y and z, whatever others there are; else all.
 /// @throws BadFile with the line for any other text, and for a text without a site.
 template <int Dimension>
-SiteFileOf<Dimension> parse_sites(const std::string& name, std::string_view text);
+SiteFileOf<Dimension> parse_sites(const TableName& name, std::string_view text);
 
-/// Reads the sites of a file, or of standard input if `path` is "-".
+/// Reads the sites of a file, or of standard input if the path is "-".
 template <int Dimension>
-SiteFileOf<Dimension> read_sites(const std::string& path);
+SiteFileOf<Dimension> read_sites(const TableName& name);
 
 /// Whether `text` reads back as exactly these sites; needs no memory for them.
 /// @throws BadFile as parse_sites does.

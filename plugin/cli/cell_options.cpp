@@ -5,6 +5,7 @@
 #include <CLI/Formatter.hpp>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "io/bytes/text.hpp"
 #include "io/run_files/area_reader.hpp"
@@ -50,7 +51,7 @@ TargetSizes target_sizes(const std::string& text) {
         }
     }
     std::error_code unknown;
-    if (text.empty() || !std::filesystem::exists(text, unknown)) {
+    if (text.empty() || !std::filesystem::exists(area_table(text).path, unknown)) {
         throw InvalidInput("--areas " + (text.empty() ? "''" : text) +
                            ": neither a law nor a file; take equal, lognormal:S, gamma:S or a file "
                            "with one area a line");
@@ -85,12 +86,13 @@ void add_cell_options(CLI::App& app, CellOptions& options, Job& job) {
             formula_words());
     add("--density-range", options.density_range, "LO,HI",
         "densities of black and of white pixels [0.01,1]");
-    add("--areas", options.areas, "equal|lognormal:S|gamma:S|FILE",
+    add("--areas", options.areas, "equal|lognormal:S|gamma:S|FILE[:COLUMN]",
         "cells of prescribed areas, exact to 1e-10: a law of the equivalent\n"
         "diameter, drawn from --seed, S its standard deviation over its\n"
-        "mean; or a file with one area a line, one for each site (below the\n"
-        "word diameter: one diameter), scaled to the area of the domain,\n"
-        "which with --period auto is their sum; see --max-iterations");
+        "mean; or a table with one area a line, one for each site, or one\n"
+        "diameter or radius as its header or diameter:FILE says, scaled to\n"
+        "the area of the domain, which with --period auto is their sum; see\n"
+        "--max-iterations");
     add("--aspect", options.aspect, "R[,DEGREES]",
         "elongated cells, R times as long along DEGREES from x as across\n"
         "it, from 0.01 to 100 [1,0]");
@@ -99,9 +101,9 @@ void add_cell_options(CLI::App& app, CellOptions& options, Job& job) {
         "and H, xy all round");
     add("--wall-cells", options.wall_cells, "whole|half",
         "cells beside walls: whole, or half, whose sites lie on the wall\n[whole]");
-    add("--fixed", options.fixed, "FILE",
-        "sites that stay where they are, \"x y\" a line; --sites counts them\n"
-        "too, and the others are drawn");
+    add("--fixed", options.fixed, "FILE[:X,Y]",
+        "sites that stay where they are, \"x y\" a line as for --input; --sites\n"
+        "counts them too, and the others are drawn");
     add("--inclusions", options.inclusions, "FILE",
         "shapes whose outlines no cell crosses, one a line: circle TAG x y r,\n"
         "ellipse TAG x y a b DEGREES, polygon TAG x1 y1 x2 y2 ...; images are\n"
@@ -121,7 +123,7 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
     if (app.count("--aspect") > 0) job.aspect = read_aspect(options.aspect);
     if (app.count("--areas") > 0) {
         job.areas = target_sizes(options.areas);
-        if (!names_area_law(options.areas)) job.inputs.push_back(options.areas);
+        if (!names_area_law(options.areas)) job.inputs.push_back(area_table(options.areas).path);
     }
     if (app.count("--walls") > 0) {
         job.walls = chosen_row("--walls", options.walls, std::span(kWalls).subspan<1>()).walls;
@@ -130,10 +132,10 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
         job.wall_cells = chosen_row("--wall-cells", options.wall_cells, kWallCells).cells;
     }
     if (app.count("--fixed") > 0) {
-        SiteFile file = read_sites<2>(options.fixed);
+        SiteFile file = read_sites<2>(parse_table_name(options.fixed));
         job.in_plane().fixed = std::move(file.points);
         job.lines = std::move(file.lines);
-        job.inputs.push_back(options.fixed);
+        job.inputs.push_back(file.name);
     }
     if (app.count("--inclusions") > 0) {
         job.inclusions = read_inclusions(options.inclusions);
@@ -153,7 +155,7 @@ plane::Lattice automatic_period(const CellOptions& options) {
     double width = 1;
     double height = 1;
     if (!options.areas.empty() && !names_area_law(options.areas)) {
-        width = height = std::sqrt(read_areas(options.areas).areas.sum());
+        width = height = std::sqrt(read_areas(area_table(options.areas)).areas.sum());
     } else if (names_picture(options.density)) {
         height = png_height_over_width(options.density);
     } else {
@@ -170,9 +172,10 @@ plane::Lattice automatic_period(const CellOptions& options) {
 
 void read_area_file(Job& job) {
     if (!job.areas || names_area_law(job.areas->name)) return;
-    const AreaFile file = read_areas(job.areas->name);
+    AreaFile file = read_areas(area_table(job.areas->name));
     require_areas(file, job.n_wanted());
-    job.areas->given = file.areas;
+    job.areas->given = std::move(file.areas);
+    job.areas->name = std::move(file.description);
 }
 
 plane::Density density_option(const std::string& density, const std::string& range,

@@ -56,7 +56,7 @@ void read_areas_option(const CLI::App& app, const CheckOptions& options, Questio
             "--areas of check takes a file with one area a site; a law draws other "
             "areas for each seed");
     }
-    question.areas = read_areas(options.areas);
+    question.areas = read_areas(area_table(options.areas));
 }
 
 Question make_question(const CLI::App& app, const CheckOptions& options) {
@@ -117,7 +117,7 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
                    "prove as well that power cells have the areas of a file as\n"
                    "`pcvt mesh --areas` takes it, built again from sites and weights;\n"
                    "grains: that the faces of each site have them")
-        ->type_name("FILE");
+        ->type_name("FILE[:COLUMN]");
     app.add_option("--inclusions", options.inclusions,
                    "prove as well that no cell crosses the outline of a shape of\n"
                    "`pcvt mesh --inclusions FILE`, that the outline consists of edges of\n"

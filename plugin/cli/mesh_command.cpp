@@ -109,11 +109,12 @@ RunSummary run_in(Domain& domain, Job& job, const MeshOptions& options) {
     constexpr int kDimension = decltype(domain.lattice)::kDimension;
     if (options.input.empty()) {
         read_area_file(job);
-        const SiteFileOf<kDimension> fixed{options.cells.fixed, domain.fixed, job.lines};
+        const SiteFileOf<kDimension> fixed{parse_table_name(options.cells.fixed).path, domain.fixed,
+                                           job.lines};
         return domain.fixed.cols() > 0 ? run_distinct(job, fixed, options.quiet)
                                        : run_watched(job, options.quiet);
     }
-    const SiteFileOf<kDimension> file = read_sites<kDimension>(options.input);
+    const SiteFileOf<kDimension> file = read_sites<kDimension>(parse_table_name(options.input));
     domain.points = file.points;
     job.lines = file.lines;
     read_area_file(job);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/bytes/extension.hpp"
+#include "io/run_files/table_name.hpp"
 #include "plugin/cli/options/command_words.hpp"
 #include "plugin/cli/options/option_values.hpp"
 #include "plugin/cli/options/site_source.hpp"
@@ -110,7 +111,8 @@ void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job)
     if (app.count("--retry") > 0) {
         job.retries = whole_number("--retry", options.retry, 0, kMostRetries);
     }
-    if (app.count("--input") > 0 && options.input != "-") job.inputs.push_back(options.input);
+    const std::string input = parse_table_name(options.input).path;
+    if (app.count("--input") > 0 && input != "-") job.inputs.push_back(input);
     job.duplicates = chosen_duplicates(app, options.duplicates);
 }
 

@@ -76,9 +76,10 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
     add(app, "--retry", options.retry, "K",
         "take the next seed, at most K times, while an output refuses the cells\n(.nc: obtuse "
         "triangles) [0]");
-    add(app, "--input", options.input, "FILE",
+    add(app, "--input", options.input, "FILE[:X,Y]",
         "read the sites, \"x y\" a line (in space \"x y z\"), # comments, from a\n"
-        "regular file of at most 16 GiB; - is standard input, at most 1 GiB");
+        "regular file of at most 16 GiB; - is standard input, at most 1 GiB;\n"
+        "a table with a header gives its columns x, y, or X,Y names them");
     add(app, "--duplicates", options.duplicates, form_of(kDuplicates),
         "sites of a file within 1e-9 h of an earlier one: refuse names all of\n"
         "their lines, drop leaves them out [refuse]");

@@ -23,11 +23,13 @@ Job in_round_space(const Job& job, const plane::Metric& metric);
 /// The file of the inclusions, or "fibres".
 /// @pre the job has inclusions.
 std::string inclusion_source(const Job& job);
-/// Calls `work`, whose refusals begin with inclusion_source().
+/// Calls `work`, whose refusals begin with inclusion_source() and the line of the inclusion.
 template <class Work>
 auto naming_inclusions(const Job& job, const Work& work) {
     try {
         return work();
+    } catch (const plane::BadInclusion& error) {
+        throw InvalidInput(error.in_file(inclusion_source(job)));
     } catch (const InvalidInput& error) {
         throw InvalidInput(inclusion_source(job) + ": " + error.what());
     }

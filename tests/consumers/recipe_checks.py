@@ -84,6 +84,15 @@ def check_measured_sizes(folder, _):
     require(float(rows[0]["phi2"]) == -70, "the orientation of grain 0")
 
 
+def check_table_of_grains(folder, _):
+    with open(folder / "ebsd-cells.csv", encoding="ascii") as lines:
+        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    for row, diameter in zip(rows, (0.50, 0.62, 0.41), strict=True):
+        require_near(float(row["diameter"]), diameter, 1e-9, "a diameter")
+    require_near(float(rows[0]["phi2"]), math.degrees(-1.22), 1e-9, "the orientation of grain 0")
+    require_files(folder, "ebsd.vti")
+
+
 def check_sizes(folder, _):
     require_files(folder, "grains.svg", "grains.csv")
     roundness = json.loads((folder / "grains.json").read_text())["areas"]["circularity_mean"]
@@ -353,6 +362,8 @@ ROWS = {
     ("Your own data", "Your own points"): Row(check_own_points),
     ("Your own data", "Grains of measured sizes"): Row(check_measured_sizes),
     ("Your own data", "Inclusions"): Row(reason="the form of a file"),
+    ("Tables", ""): Row(),
+    ("Tables", "A table of grains"): Row(check_table_of_grains),
     ("C and C++", "A program in C"): Row(check_c_program, programs=("cc",)),
     ("Python", ""): Row(),
     ("Python", "A tile and its seam"): Row(check_python, modules=("matplotlib",)),

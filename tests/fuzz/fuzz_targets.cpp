@@ -207,7 +207,7 @@ std::vector<std::string> seam_seeds() {
 }
 
 void read_site_text(const std::string& bytes) {
-    const SiteFile file = parse_sites<2>("sites.txt", bytes);
+    const SiteFile file = parse_sites<2>({.path = "sites.txt"}, bytes);
     if (file.points.cols() > kMostMeshedSites) return;
     // As every run of the command, it refuses sites that nearly coincide.
     plane::CvtOptions options;
@@ -219,12 +219,15 @@ void read_site_text(const std::string& bytes) {
 }
 
 void read_areas_text(const std::string& bytes) {
-    const AreaFile file = parse_areas("areas.txt", bytes);
+    const AreaFile file = parse_areas({.path = "areas.txt"}, bytes);
     require_areas(file, static_cast<int>(file.areas.size()));
 }
 
 std::vector<std::string> area_seeds() {
-    return {"1\n2.5 # comment\n\n3e-1\r\n", "diameter\n1\n\t2\n"};
+    return {"1\n2.5 # comment\n\n3e-1\r\n", "diameter\n1\n\t2\n",
+            "\xEF\xBB\xBF"
+            "Feature_ID;\"ECD (\xC2\xB5m)\"\r\n1;0,25\r\n2;1,5;\r\n",
+            "sep=,\n,Area,Mean\n1,20,3\n2,40,5\n", "2\nid\tEquivalent Diameter\n1\t2\n2\t3\n"};
 }
 
 void read_inclusion_text(const std::string& bytes) {
@@ -239,14 +242,20 @@ std::vector<std::string> inclusion_seeds() {
         "polygon c 0.7 0.1 0.8 0.1 0.75 0.2 0.72 0.15\ncircle d 0 0 .1\n"};
 }
 
-void read_angles(const std::string& bytes) { parse_orientations("angles.txt", bytes); }
+void read_angles(const std::string& bytes) { parse_orientations({.path = "angles.txt"}, bytes); }
 
-std::vector<std::string> angle_seeds() { return {"# angles\n10 20 30\r\n-0.5,90,\t360\n"}; }
+std::vector<std::string> angle_seeds() {
+    return {"# angles\n10 20 30\r\n-0.5 90\t360\n", "10, 20, 30\n-0.5,90,\t360\n",
+            "id,Euler1 (rad),Euler2 (rad),Euler3 (rad)\n1,0.5,1,2\n",
+            "phi1;Phi;phi2\n10,5;20,25;30\n"};
+}
 
 std::vector<std::string> site_seeds() {
     return {encode_sites(uniform_points(oblique(), 5, 1)),
             "# a grid\r\n0 0\r\n.5 0\r\n0 +5e-1 # comment\r\n\t.5,.5",
-            "\xEF\xBB\xBF-1e3 1e-300\n0.25 0.125\n\n"};
+            "\xEF\xBB\xBF-1e3 1e-300\n0.25 0.125\n\n",
+            "site,x,y,neighbours\n0,0.1,0.2,1 2\n1,0.5,0.25,0 2\n",
+            "x (um)\ty (um)\tphase\n0,5\t0,25\tA\n0,125\t0,75\tB\n"};
 }
 
 void read_csv(const std::string& bytes) {

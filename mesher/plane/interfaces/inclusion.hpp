@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <variant>
 #include <vector>
 
+#include "mesher/base/error.hpp"
 #include "mesher/plane/geometry/mirror_image.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 
@@ -36,6 +38,20 @@ struct Inclusion {
     int tag = 1;
     /// Where the inclusion was read, for messages.
     int line = 0;
+};
+
+/// An inclusion that cannot be meshed. The message is "line 7: complaint".
+class BadInclusion : public InvalidInput {
+   public:
+    BadInclusion(int line, const std::string& complaint)
+        : InvalidInput("line " + std::to_string(line) + ": " + complaint),
+          place_(":" + std::to_string(line) + ": " + complaint) {}
+
+    /// The message with the file of the inclusion: "shapes.txt:7: complaint".
+    std::string in_file(const std::string& name) const { return name + place_; }
+
+   private:
+    std::string place_;
 };
 
 /// Circles as inclusions with one tag, on the lines 1, 2, ...

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/base/error.hpp"
 #include "mesher/plane/geometry/sites.hpp"
 #include "mesher/plane/geometry/walled_domain.hpp"
 
@@ -18,7 +17,7 @@ constexpr double kLongest = 8;
 constexpr double kSharpestCosine = 0.99863;
 
 [[noreturn]] void refuse(const Inclusion& inclusion, const std::string& what) {
-    throw InvalidInput("line " + std::to_string(inclusion.line) + ": " + what);
+    throw BadInclusion(inclusion.line, what);
 }
 
 void require_polygon(Inclusion& inclusion, Polygon& polygon) {
@@ -166,9 +165,9 @@ void InclusionSet::require_apart() const {
             refuse(inclusions_[i], "the shape meets an image of itself; make it smaller");
         }
         if (other < size()) {
-            throw InvalidInput("line " + std::to_string(inclusions_[i].line) + " and line " +
-                               std::to_string(inclusions_[other].line) +
-                               " overlap; move one of the shapes");
+            refuse(inclusions_[other], "the shape overlaps that of line " +
+                                           std::to_string(inclusions_[i].line) +
+                                           "; move one of them");
         }
     }
 }

@@ -56,8 +56,8 @@ class CurveSizes {
     void require_few(std::size_t n_samples) const {
         checkpoint_each(static_cast<long>(n_samples));
         if (n_samples < kMostSamples) return;
-        throw InvalidInput("line " + std::to_string(set_[k_].line) +
-                           ": a gap beside the shape is too narrow; move the shapes apart");
+        throw BadInclusion(set_[k_].line,
+                           "a gap beside the shape is too narrow; move the shapes apart");
     }
 
    private:

@@ -72,10 +72,10 @@ class Placement {
             if (!first_bad_) return result();
         }
         const Vec2& p = first_bad_->second;
-        throw InvalidInput("line " + std::to_string(set_[first_bad_->first].line) +
-                           ": the interface near (" + std::to_string(p.x()) + ", " +
-                           std::to_string(p.y()) +
-                           ") is too sharp or too close to another one; change the shape there");
+        throw BadInclusion(
+            set_[first_bad_->first].line,
+            "the interface near (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) +
+                ") is too sharp or too close to another one; change the shape there");
     }
 
    private:

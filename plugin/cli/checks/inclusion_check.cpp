@@ -36,6 +36,8 @@ plane::InclusionSet set_of(const TileFile& file, const InclusionFile& shapes) {
         // Faults are those of the shapes of one domain.
         const plane::InclusionSet one(domain, shapes.inclusions, tile.walls);
         return {tile.lattice, std::move(all), tile.walls};
+    } catch (const plane::BadInclusion& error) {
+        throw BadFile(error.in_file(shapes.name));
     } catch (const InvalidInput& error) {
         throw BadFile(shapes.name + ": " + error.what());
     }

@@ -3,25 +3,12 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <utility>
 
 #include "io/bytes/text.hpp"
 #include "io/run_files/orientation_reader.hpp"
 #include "mesher/base/error.hpp"
 
 namespace pcvt::cli {
-namespace {
-
-/// The path and the unit of FILE, deg:FILE or rad:FILE.
-std::pair<std::string, AngleUnit> orientation_file(const std::string& text) {
-    constexpr std::size_t kPrefix = 4;
-    if (text.starts_with("deg:")) return {text.substr(kPrefix), AngleUnit::kDegrees};
-    if (text.starts_with("rad:")) return {text.substr(kPrefix), AngleUnit::kRadians};
-    return {text, AngleUnit::kGuessed};
-}
-
-}  // namespace
-
 void add_material_options(CLI::App& app, MaterialOptions& options) {
     app.option_defaults()->group("Materials");
     app.add_option("--phases", options.phases,
@@ -30,9 +17,11 @@ void add_material_options(CLI::App& app, MaterialOptions& options) {
         ->type_name("NAME:FRACTION,...");
     app.add_option("--orientations", options.orientations,
                    "each cell gets an orientation: Bunge's angles phi1, Phi, phi2; random:\n"
-                   "without a texture, drawn from --seed; else three angles a line, one line\n"
-                   "a site, # comments, in degrees, or with rad:FILE in radians; deg:FILE\n"
-                   "takes as degrees what looks like radians")
+                   "without a texture, drawn from --seed; else a table with three angles a\n"
+                   "line, one line a site, or with columns phi1, Phi, phi2 or Euler1 to Euler3\n"
+                   "in its header, or FILE:COLUMN,COLUMN,COLUMN, in degrees, or in radians as\n"
+                   "its header or rad:FILE says; deg:FILE takes as degrees what looks like\n"
+                   "radians")
         ->type_name("random|FILE|deg:FILE|rad:FILE");
     app.add_option(
            "--material", options.materials,
@@ -68,9 +57,9 @@ MaterialChoices material_choices(const CLI::App& app, const MaterialOptions& opt
     if (app.count("--orientations") == 0) return choices;
     choices.draws_orientations = options.orientations == "random";
     if (choices.draws_orientations) return choices;
-    const auto& [path, unit] = orientation_file(options.orientations);
-    choices.orientations = read_orientations(path, unit);
-    inputs.push_back(path);
+    const TableName table = orientation_table(options.orientations);
+    choices.orientations = read_orientations(table);
+    inputs.push_back(table.path);
     return choices;
 }
 

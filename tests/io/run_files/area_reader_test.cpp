@@ -13,7 +13,7 @@ using ::testing::StartsWith;
 
 std::string area_fault(std::string_view text, int n_sites = 0) {
     try {
-        const AreaFile file = parse_areas("a.txt", text);
+        const AreaFile file = parse_areas({.path = "a.txt"}, text);
         if (n_sites > 0) require_areas(file, n_sites);
     } catch (const BadFile& fault) {
         return fault.what();
@@ -24,14 +24,14 @@ std::string area_fault(std::string_view text, int n_sites = 0) {
 std::vector<double> values(const AreaFile& file) { return {file.areas.begin(), file.areas.end()}; }
 
 TEST(AreaReader, AreasAndTheirLinesAreRead) {
-    const AreaFile file = parse_areas("a.txt", "# head\n0.25\n\n +1.5e1 # tail\n3#x\n");
+    const AreaFile file = parse_areas({.path = "a.txt"}, "# head\n0.25\n\n +1.5e1 # tail\n3#x\n");
     EXPECT_THAT(values(file), ElementsAre(0.25, 15, 3));
     EXPECT_THAT(file.lines, ElementsAre(2, 4, 5));
     EXPECT_EQ(file.name, "a.txt");
 }
 
 TEST(AreaReader, LineEndsAndMarksAreAccepted) {
-    const AreaFile file = parse_areas("a.txt",
+    const AreaFile file = parse_areas({.path = "a.txt"},
                                       "\xEF\xBB\xBF"
                                       "1\r\n# c\r\n\t7\t\r\n0.1");
     EXPECT_THAT(values(file), ElementsAre(1, 7, 0.1));
@@ -39,7 +39,7 @@ TEST(AreaReader, LineEndsAndMarksAreAccepted) {
 }
 
 TEST(AreaReader, DiametersAreThoseOfCircles) {
-    const AreaFile file = parse_areas("a.txt", "# sizes\ndiameter # of circles\r\n2\n4");
+    const AreaFile file = parse_areas({.path = "a.txt"}, "# sizes\ndiameter # of circles\r\n2\n4");
     EXPECT_NEAR(file.areas[0], std::numbers::pi, 1e-15);
     EXPECT_NEAR(file.areas[1], 4 * std::numbers::pi, 4e-15);
     EXPECT_THAT(file.lines, ElementsAre(3, 4));
@@ -57,11 +57,10 @@ TEST(AreaReader, EachFaultNamesItsLineAndARemedy) {
     EXPECT_THAT(area_fault("1e160"), StartsWith("a.txt:1: '1e160' is no size of a cell; "));
     EXPECT_THAT(area_fault("1\n1e-160"), StartsWith("a.txt:2: '1e-160' is no size of a cell; "));
     EXPECT_THAT(area_fault("1,5"), StartsWith("a.txt:1: '1,5' is not a number; "));
-    EXPECT_THAT(area_fault("area\n1"), StartsWith("a.txt:1: 'area' is not a number; "));
     EXPECT_THAT(area_fault("1 2"), StartsWith("a.txt:1: this line has 2 words; write one area"));
 }
 
-TEST(AreaReader, TheWordDiameterComesFirstAndOnce) {
+TEST(AreaReader, AHeaderComesFirstAndOnce) {
     EXPECT_THAT(area_fault("1\ndiameter\n2"), StartsWith("a.txt:2: 'diameter' is not a number"));
     EXPECT_THAT(area_fault("diameter\ndiameter\n2"), StartsWith("a.txt:2: 'diameter' is not"));
     EXPECT_THAT(area_fault("diameter 3\n"), StartsWith("a.txt:1: this line has 2 words"));

@@ -88,10 +88,10 @@ class Inclusions(CliTest):
 
     def test_bad_shapes_are_refused_with_file_and_line(self):
         for pattern, shapes in ((r"shapes\.txt:2: 'square' is no shape", "# a\nsquare a 1 2 3\n"),
-                                (r"shapes\.txt: line 1 and line 2 overlap", "circle a 0 0 .2\ncircle b .9 .9 .1\n"),
-                                (r"shapes\.txt: line 1: the shape is larger", "circle a 0 0 0.6\n"),
-                                (r"shapes\.txt: line 1: ", "circle a 0 0 -0.1\n"),
-                                (r"shapes\.txt: line 1: ", "polygon a 0 0 .2 .2 .2 0 0 .2\n")):
+                                (r"shapes\.txt:2: the shape overlaps that of line 1", "circle a 0 0 .2\ncircle b .9 .9 .1\n"),
+                                (r"shapes\.txt:1: the shape is larger", "circle a 0 0 0.6\n"),
+                                (r"shapes\.txt:1: ", "circle a 0 0 -0.1\n"),
+                                (r"shapes\.txt:1: ", "polygon a 0 0 .2 .2 .2 0 0 .2\n")):
             self.refuse_shapes(2, pattern, shapes)
         self.refuse_shapes(2, r"too few for the inclusions; take \d+$", SHAPES, sites=30)
         self.refuse(2, "nothing.txt: cannot read", "mesh", "--sites", 99, "--inclusions", "nothing.txt")
@@ -152,7 +152,7 @@ class Walls(CliTest):
     def test_shapes_at_walls_are_refused_with_file_and_line(self):
         self.path("shapes.txt").write_text(SHAPES)
         for walls, wall in (("x", "wall_right"), ("y", "wall_top"), ("xy", "wall_right")):
-            self.refuse(2, rf"shapes\.txt: line 2: the shape touches or crosses {wall}; move it", "mesh", "--sites", 600,
+            self.refuse(2, rf"shapes\.txt:2: the shape touches or crosses {wall}; move it", "mesh", "--sites", 600,
                         "--inclusions", "shapes.txt", "--walls", walls)
         near = "circle a 0.5 0.21 0.2\n"
         self.path("shapes.txt").write_text(near)
@@ -255,7 +255,7 @@ class Check(CliTest):
         self.refute("Delaunay triangles cross the outlines")
         self.path("bad.txt").write_text("circle a 0 0 0.7\n")
         self.mesh(*outputs("obj"))
-        self.refute(r"bad\.txt: line 1: the shape is larger", "t.obj", "bad.txt")
+        self.refute(r"bad\.txt:1: the shape is larger", "t.obj", "bad.txt")
         self.succeed("mesh", "--sites", 64, "--tolerance", "1e-2", "-o", "t.vti")
         self.refute("--inclusions is not for voxels", "t.vti")
 

@@ -206,7 +206,8 @@ void expect_one_numbering(Job job, const std::vector<std::string>& extensions) {
         job.outputs.push_back(folder / ("t." + extension));
     run_job(job, [](const JobProgress&) { return true; });
 
-    const std::vector<plane::Vec2> sites = list_of(read_sites<2>(folder / "t.txt").points);
+    const std::vector<plane::Vec2> sites =
+        list_of(read_sites<2>({.path = folder / "t.txt"}).points);
     const std::vector<Row> rows = read_table(folder / "t.csv");
     std::vector<plane::Vec2> of_rows;
     for (const Row& row : rows) of_rows.push_back(row.site);

@@ -37,12 +37,12 @@ class Inclusions(unittest.TestCase):
         self.assertAlmostEqual(result.cells["area"][result.phases == 1].sum(), 0.4, delta=1e-12)
 
     def test_refusals_name_the_line(self):
-        for shapes, words in ((TEXT + "circle b 0.95 0.9 0.1", "line 1 and line 4 overlap"),
+        for shapes, words in ((TEXT + "circle b 0.95 0.9 0.1", "inclusions:4: the shape overlaps that of line 1"),
                               ("circle b 0 0", "inclusions:1: a circle does not take 2 numbers"),
-                              ("circle b 0 0 0.7", "line 1: the shape is larger than the domain")):
+                              ("circle b 0 0 0.7", "inclusions:1: the shape is larger than the domain")):
             with self.assertRaisesRegex(pcvt.ArgumentError, words):
                 mesh(inclusions=shapes)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "line 1: the shape touches or crosses wall_top"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "inclusions:1: the shape touches or crosses wall_top"):
             mesh(inclusions=TEXT, walls="y")
 
     def test_the_shapes_of_a_result_are_those_that_were_given(self):

@@ -137,8 +137,10 @@ TEST(InclusionSet, NamesTheLinesOfWhatItRefuses) {
         {{Ellipse{{0, 0}, 100, 1e-4, 45}, 1, 7}, "line 7: the shape is larger than the domain"},
         {{Circle{{0, 0}, 0.5}, 1, 7}, "line 7: the shape meets an image of itself"},
         {{Circle{{1e12, 0}, 0.1}, 1, 7}, "line 7: the shape lies more than 2^30 periods away"},
-        {{Circle{{2.5, -0.3}, 0.1}, 1, 7}, "line 3 and line 7 overlap"},
-        {{Circle{{0.5, 0.5}, 0.02}, 1, 7}, "line 3 and line 7 overlap"},
+        {{Circle{{2.5, -0.3}, 0.1}, 1, 7},
+         "line 7: the shape overlaps that of line 3; move one of them"},
+        {{Circle{{0.5, 0.5}, 0.02}, 1, 7},
+         "line 7: the shape overlaps that of line 3; move one of them"},
     };
     for (const auto& [bad, message] : cases) {
         try {

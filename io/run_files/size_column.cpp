@@ -1,0 +1,155 @@
+#include "io/run_files/size_column.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "io/bytes/text.hpp"
+
+namespace pcvt {
+namespace {
+
+constexpr std::array<SizeWords, 4> kSizes{{{SizeKind::kArea, "area", "areas"},
+                                           {SizeKind::kDiameter, "diameter", "diameters"},
+                                           {SizeKind::kRadius, "radius", "radii"},
+                                           {SizeKind::kVolume, "volume", "volumes"}}};
+
+/// A comparable name of a column, and the size that it states.
+struct SizeName {
+    std::string_view name;
+    SizeKind kind;
+};
+constexpr std::array kSizeNames{SizeName{"area", SizeKind::kArea},
+                                SizeName{"areas", SizeKind::kArea},
+                                SizeName{"grainarea", SizeKind::kArea},
+                                SizeName{"cellarea", SizeKind::kArea},
+                                SizeName{"d", SizeKind::kDiameter},
+                                SizeName{"ecd", SizeKind::kDiameter},
+                                SizeName{"diam", SizeKind::kDiameter},
+                                SizeName{"diameter", SizeKind::kDiameter},
+                                SizeName{"diameters", SizeKind::kDiameter},
+                                SizeName{"graindiameter", SizeKind::kDiameter},
+                                SizeName{"celldiameter", SizeKind::kDiameter},
+                                SizeName{"eqd", SizeKind::kDiameter},
+                                SizeName{"eqdiam", SizeKind::kDiameter},
+                                SizeName{"eqdiameter", SizeKind::kDiameter},
+                                SizeName{"equivdiameter", SizeKind::kDiameter},
+                                SizeName{"equivalentdiameter", SizeKind::kDiameter},
+                                SizeName{"equivalentdiameters", SizeKind::kDiameter},
+                                SizeName{"equivalentcirclediameter", SizeKind::kDiameter},
+                                SizeName{"equivalentcirculardiameter", SizeKind::kDiameter},
+                                SizeName{"circleequivalentdiameter", SizeKind::kDiameter},
+                                SizeName{"r", SizeKind::kRadius},
+                                SizeName{"radius", SizeKind::kRadius},
+                                SizeName{"radii", SizeKind::kRadius},
+                                SizeName{"equivalentradius", SizeKind::kRadius},
+                                SizeName{"volume", SizeKind::kVolume},
+                                SizeName{"volumes", SizeKind::kVolume}};
+/// Parts of names that state a size if the name holds no other one, such as "Feret diameter". They
+/// count only in columns that the user has named.
+constexpr std::array kSizeParts{
+    SizeName{"area", SizeKind::kArea}, SizeName{"diam", SizeKind::kDiameter},
+    SizeName{"radius", SizeKind::kRadius}, SizeName{"volume", SizeKind::kVolume}};
+
+std::optional<SizeKind> hinted_size(std::string_view column) {
+    if (const std::optional<SizeKind> stated = stated_size(column)) return stated;
+    const std::string name = comparable_name(column);
+    std::optional<SizeKind> found;
+    for (const SizeName& part : kSizeParts) {
+        if (name.find(part.name) == std::string::npos) continue;
+        if (found) return std::nullopt;
+        found = part.kind;
+    }
+    return found;
+}
+
+std::optional<SizeKind> prefix_size(const std::string& prefix) {
+    for (const SizeWords& words : kSizes) {
+        if (words.prefix == prefix) return words.kind;
+    }
+    return std::nullopt;
+}
+
+/// The only column of the header that may hold the sizes.
+std::size_t only_candidate(const TableScanner& scanner, const TableName& name,
+                           const std::optional<SizeKind>& wanted) {
+    std::vector<std::size_t> found;
+    bool has_volumes = false;
+    for (std::size_t k = 0; k < scanner.n_columns(); ++k) {
+        const std::optional<SizeKind> kind = stated_size(scanner.header()[k].name);
+        if (!kind || (wanted && kind != wanted)) continue;
+        has_volumes = has_volumes || kind == SizeKind::kVolume;
+        if (kind != SizeKind::kVolume) found.push_back(k);
+    }
+    if (found.size() == 1) return found.front();
+    if (found.empty() && scanner.n_columns() == 1) return 0;
+    if (found.size() > 1) {
+        const std::string& first = scanner.header()[found[0]].name;
+        scanner.refuse_header("both " + scanner.label(found[0]) + " and " +
+                              scanner.label(found[1]) + " hold sizes; name one, such as " +
+                              with_columns(name, name.prefix, first));
+    }
+    scanner.refuse_header(std::string(has_volumes ? "cells in the plane have areas, not volumes"
+                                                  : "no column is called area or diameter") +
+                          "; name the column of sizes, " + with_columns(name, "area", "COLUMN") +
+                          " or " + with_columns(name, "diameter", "COLUMN"));
+}
+
+/// The column that the name of the table gives; else with a header the only candidate, without one
+/// the first.
+std::size_t chosen_column(TableScanner& scanner, const TableName& name,
+                          const std::optional<SizeKind>& wanted) {
+    if (!name.columns.empty()) return scanner.choose(name.columns).front();
+    return scanner.has_header() ? only_candidate(scanner, name, wanted) : 0;
+}
+
+[[noreturn]] void refuse_unstated(const TableScanner& scanner, const TableName& name,
+                                  std::size_t column) {
+    const std::string text = name.columns.empty() ? "" : name.columns.front();
+    scanner.refuse_header(scanner.label(column) + " may hold areas or diameters; write " +
+                          with_columns(name, "area", text) + " or " +
+                          with_columns(name, "diameter", text));
+}
+
+}  // namespace
+
+const SizeWords& size_words(SizeKind kind) {
+    return *std::find_if(kSizes.begin(), kSizes.end(),
+                         [&](const SizeWords& words) { return words.kind == kind; });
+}
+
+std::optional<SizeKind> stated_size(std::string_view column) {
+    const std::string name = comparable_name(column);
+    for (const SizeName& size : kSizeNames) {
+        if (size.name == name) return size.kind;
+    }
+    return std::nullopt;
+}
+
+SizeColumn find_sizes(TableScanner& scanner, const TableName& name) {
+    if (name.columns.size() > 1) {
+        scanner.refuse_header("sizes are one column, not " + std::to_string(name.columns.size()) +
+                              "; write " + with_columns(name, name.prefix, name.columns.front()));
+    }
+    const std::optional<SizeKind> wanted = prefix_size(name.prefix);
+    const std::size_t column = chosen_column(scanner, name, wanted);
+    if (!scanner.has_header()) return {column, wanted.value_or(SizeKind::kArea)};
+    const std::optional<SizeKind> stated = hinted_size(scanner.header()[column].name);
+    if (wanted && stated && wanted != stated) {
+        scanner.refuse_header(scanner.label(column) + " holds " + size_words(*stated).plural +
+                              ", but the file is given as " + size_words(*wanted).plural +
+                              "; remove " + name.prefix + ":");
+    }
+    if (!wanted && !stated) refuse_unstated(scanner, name, column);
+    const SizeKind kind = wanted ? *wanted : *stated;
+    if (kind == SizeKind::kVolume) {
+        scanner.refuse_header(scanner.label(column) +
+                              " holds volumes, but cells in the plane have areas; name a column of "
+                              "areas or diameters, " +
+                              with_columns(name, "", "COLUMN"));
+    }
+    return {column, kind};
+}
+
+}  // namespace pcvt

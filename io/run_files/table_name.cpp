@@ -1,0 +1,51 @@
+#include "io/run_files/table_name.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace pcvt {
+namespace {
+
+bool is_there(const std::string& path) {
+    std::error_code unknown;
+    return !path.empty() && std::filesystem::exists(path, unknown);
+}
+
+std::vector<std::string> split_at_commas(std::string_view text) {
+    std::vector<std::string> words;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        words.emplace_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return words;
+}
+
+}  // namespace
+
+TableName parse_table_name(const std::string& text,
+                           std::initializer_list<std::string_view> prefixes) {
+    if (is_there(text)) return {.path = text};
+    TableName name{.path = text};
+    const std::size_t first = text.find(':');
+    const std::string_view head = std::string_view(text).substr(0, std::min(first, text.size()));
+    if (first != std::string::npos &&
+        std::find(prefixes.begin(), prefixes.end(), head) != prefixes.end()) {
+        name.prefix = head;
+        name.path = text.substr(first + 1);
+        if (is_there(name.path)) return name;
+    }
+    const std::size_t last = name.path.rfind(':');
+    if (last == std::string::npos || last == 0 || last + 1 == name.path.size()) return name;
+    name.columns = split_at_commas(std::string_view(name.path).substr(last + 1));
+    name.path.resize(last);
+    return name;
+}
+
+std::string with_columns(const TableName& name, const std::string& prefix,
+                         const std::string& columns) {
+    return (prefix.empty() ? "" : prefix + ":") + name.path +
+           (columns.empty() ? "" : ":" + columns);
+}
+
+}  // namespace pcvt

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/bytes/bad_file.hpp"
+#include "io/run_files/table_header.hpp"
+#include "io/run_files/table_lines.hpp"
+
+namespace pcvt {
+
+/// Walks over the rows of a table of text, one row at a time. Accepts LF, CRLF and CR, a UTF-8 byte
+/// order mark, blank lines, comments after a #, quotes round fields, and above the header a line
+/// "sep=;" or the number of the rows. The first line decides how the table is read:
+///   (1) It is a header if none of its fields is a number and one of them holds a letter.
+///   (2) It has the separator of all rows, see separator_of(); without a header, tabs are blanks
+///       unless numbers have decimal commas.
+///   (3) Between semicolons and tabs, all numbers may have a decimal comma; elsewhere, none may.
+/// Below a header, and once columns are chosen, all rows have as many fields; one empty field
+/// behind the last one does not count.
+///
+/// Example usage:
+///     TableScanner scanner("ebsd.csv", text);
+///     const std::size_t column = scanner.choose({"ECD"}).front();
+///     while (scanner.next()) diameters.push_back(scanner.number(column));
+///
+/// All faults are BadFile `name:line: fault; remedy`.
+class TableScanner {
+   public:
+    /// Reads the header, if there is one.
+    /// @param name  the file's name in messages.
+    /// @param text  must outlive the scanner.
+    TableScanner(std::string name, std::string_view text);
+
+    const std::string& name() const { return lines_.name(); }
+    bool has_header() const { return !header_.empty(); }
+    const std::vector<TableColumn>& header() const { return header_; }
+    Separator separator() const { return separator_; }
+    /// The number of fields of the header or of the first row; 0 if the table is empty.
+    std::size_t n_columns() const { return n_columns_; }
+
+    /// Returns the only column of the header with this name, as comparable_name() compares names.
+    /// @throws BadFile if two columns have the name.
+    std::optional<std::size_t> find(std::string_view column) const;
+    /// Returns the columns that a user has named: each by its name in the header, with its unit
+    /// where two columns have the name, else by its number from 1.
+    /// @throws BadFile for any other text.
+    std::vector<std::size_t> choose(const std::vector<std::string>& columns);
+
+    /// Advances to the next row; returns false at the end of the table.
+    /// @throws BadFile for a row with too few or too many fields.
+    bool next();
+    /// The line of the current row, counted from 1.
+    int line() const { return lines_.line(); }
+    /// The fields of the current row.
+    const std::vector<std::string_view>& fields() const { return fields_; }
+    /// Returns the number in a field of the current row.
+    /// @throws BadFile if the field is empty or not a number.
+    double number(std::size_t column);
+    /// Returns a field of the current row that is not empty, such as the name of a phase.
+    std::string_view word(std::size_t column) const;
+
+    /// Refuses the current row.
+    [[noreturn]] void refuse(const std::string& complaint) const;
+    /// Refuses a field of the current row; the message names its column if the table has several
+    /// and a header, or if columns are chosen.
+    [[noreturn]] void refuse(std::size_t column, const std::string& complaint) const;
+    /// Refuses the header, or the first row if there is none.
+    [[noreturn]] void refuse_header(const std::string& complaint) const;
+
+    /// How messages name a column: "column 'ECD'" or "column 2".
+    std::string label(std::size_t column) const;
+    /// The columns of the header for messages: "'id', 'ECD', 'phase'".
+    std::string listed_columns() const;
+
+   private:
+    void read_header();
+    void join_header(const TableLines& header);
+    [[noreturn]] void refuse_width() const;
+    double decimal_number(std::size_t column, std::string_view field);
+
+    TableLines lines_;
+    std::vector<std::string_view> fields_;
+    std::vector<TableColumn> header_;
+    std::size_t n_columns_ = 0;
+    int header_line_ = 0;
+    Separator separator_ = Separator::kBlanks;
+    bool names_columns_ = false;
+    bool requires_width_ = false;
+    /// The first decimal mark between semicolons or tabs, and its line.
+    char mark_ = 0;
+    int mark_line_ = 0;
+    /// The line of the first number whose comma may stand between thousands, as in 1,234. A number
+    /// such as 0,5, whose comma can only be a decimal one, settles it.
+    int unclear_line_ = 0;
+    bool has_clear_comma_ = false;
+};
+
+}  // namespace pcvt

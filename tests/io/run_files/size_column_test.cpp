@@ -1,0 +1,109 @@
+#include "io/run_files/size_column.hpp"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+#include "io/run_files/area_reader.hpp"
+
+namespace pcvt {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// What a table of sizes says in a summary, or its fault.
+std::string reading(const std::string& text, const std::string& prefix = "",
+                    const std::vector<std::string>& columns = {}) {
+    try {
+        return parse_areas({.path = "g.csv", .columns = columns, .prefix = prefix}, text)
+            .description;
+    } catch (const BadFile& fault) {
+        return fault.what();
+    }
+}
+
+TEST(SizeColumn, NamesOfTheHeaderStateTheSize) {
+    for (const char* name : {"Area", "AREA", "Grain Area (um^2)", "cell_area"}) {
+        EXPECT_THAT(reading(std::string("id,") + name + "\n1,2\n"), StartsWith("areas of column "));
+    }
+    for (const char* name : {"Diameter", "ECD (um)", "EquivalentDiameters", "EqDiam", "d",
+                             "Equivalent Circle Diameter [mm]", "equiv. diameter"}) {
+        EXPECT_THAT(reading(std::string("id,") + name + "\n1,2\n"),
+                    StartsWith("diameters of column "))
+            << name;
+    }
+    EXPECT_EQ(reading("radius\n2\n"), "radii of column radius of g.csv");
+    EXPECT_NEAR(parse_areas({.path = "g.csv"}, "radius\n2\n").areas[0], 4 * std::numbers::pi,
+                1e-14);
+}
+
+TEST(SizeColumn, FilesOfOneColumnKeepTheirName) {
+    EXPECT_EQ(reading("1\n2\n"), "g.csv");
+    EXPECT_EQ(reading("diameter\n1\n2\n"), "g.csv");
+    EXPECT_EQ(reading("1\n2\n", "diameter"), "diameters of g.csv");
+    EXPECT_EQ(reading("Diameter\n1\n2\n"), "diameters of column Diameter of g.csv");
+}
+
+TEST(SizeColumn, APrefixStatesTheSizeWhereTheHeaderDoesNot) {
+    EXPECT_EQ(reading("size\n1\n"),
+              "g.csv:1: column 'size' may hold areas or diameters; write "
+              "area:g.csv or diameter:g.csv");
+    EXPECT_EQ(reading("size\n1\n", "area"), "areas of column size of g.csv");
+    EXPECT_EQ(reading("id,size\n1,2\n", "", {"size"}),
+              "g.csv:1: column 'size' may hold areas or diameters; write area:g.csv:size or "
+              "diameter:g.csv:size");
+    EXPECT_EQ(reading("id,size\n1,2\n", "diameter", {"size"}), "diameters of column size of g.csv");
+    EXPECT_EQ(reading("id,Feret diameter\n1,2\n", "", {"feret diameter"}),
+              "diameters of column Feret diameter of g.csv");
+    EXPECT_EQ(reading("id,d\n1,2\n", "area"),
+              "g.csv:1: no column is called area or diameter; name the column of sizes, "
+              "area:g.csv:COLUMN or diameter:g.csv:COLUMN");
+}
+
+TEST(SizeColumn, ContradictionsAreRefused) {
+    EXPECT_EQ(reading("id,Area\n1,2\n", "diameter", {"Area"}),
+              "g.csv:1: column 'Area' holds areas, but the file is given as diameters; remove "
+              "diameter:");
+    EXPECT_THAT(reading("diameter\n1\n", "area"), HasSubstr("remove area:"));
+}
+
+TEST(SizeColumn, SeveralSizesAreRefusedUnlessOneIsNamed) {
+    const std::string table = "id,Area,ECD\n1,2,3\n";
+    EXPECT_EQ(reading(table),
+              "g.csv:1: both column 'Area' and column 'ECD' hold sizes; name one, "
+              "such as g.csv:Area");
+    EXPECT_EQ(reading(table, "diameter"), "diameters of column ECD of g.csv");
+    EXPECT_EQ(reading(table, "", {"area"}), "areas of column Area of g.csv");
+    EXPECT_THAT(reading(table, "", {"Area", "ECD"}), StartsWith("g.csv:1: sizes are one column"));
+}
+
+TEST(SizeColumn, VolumesAreNotForThePlane) {
+    EXPECT_EQ(reading("id,Volume\n1,2\n"),
+              "g.csv:1: cells in the plane have areas, not volumes; name the column of sizes, "
+              "area:g.csv:COLUMN or diameter:g.csv:COLUMN");
+    EXPECT_THAT(reading("volume\n2\n"), StartsWith("g.csv:1: column 'volume' holds volumes, but"));
+    EXPECT_EQ(reading("id,ECD,Volumes\n1,2,3\n"), "diameters of column ECD of g.csv");
+}
+
+TEST(SizeColumn, AFeatureOfNumberZeroIsRefusedWithTheReason) {
+    EXPECT_EQ(
+        reading("Feature_ID,d\n0,0\n1,2\n"),
+        "g.csv:2: column 'd': '0' is no size of a cell, but exporters list a feature 0 without "
+        "a size; remove the line");
+    EXPECT_EQ(reading("Feature_ID,d\n1,2\n2,0\n"),
+              "g.csv:3: column 'd': '0' is no size of a cell; give a number from 1e-150 to 1e150");
+}
+
+TEST(SizeColumn, OneColumnWithDecimalCommasIsRefused) {
+    EXPECT_THAT(reading("0,5\n0,25\n"),
+                StartsWith("g.csv:1: '0,5' is not a number; write a decimal "
+                           "point, or where the comma separates"));
+    EXPECT_THAT(reading("0,5\n", "", {"1"}), StartsWith("g.csv:1: '0,5' may be one number or two"));
+    EXPECT_THAT(reading("Diameter\n0,5\n"), StartsWith("g.csv:2: '0,5' is not a number; use a "));
+    EXPECT_THAT(reading("1,2,3\n"),
+                StartsWith("g.csv:1: this line has 3 words; write one area a "));
+}
+
+}  // namespace
+}  // namespace pcvt
