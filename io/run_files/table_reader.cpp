@@ -31,12 +31,12 @@ bool has_name(const TableColumn& column, const TableColumn& wanted) {
 
 }  // namespace
 
-TableScanner::TableScanner(std::string name, std::string_view text)
+TableScanner::TableScanner(std::string name, std::string_view text, bool has_header)
     : lines_(std::move(name), text) {
-    read_header();
+    read_header(has_header);
 }
 
-void TableScanner::read_header() {
+void TableScanner::read_header(bool may_be_header) {
     TableLines first = lines_;
     if (!first.next()) return;
     if (first.content().starts_with(kStatedSeparator) &&
@@ -56,7 +56,7 @@ void TableScanner::read_header() {
     }
     split(first.content());
     header_line_ = first.line();
-    if (is_header(fields_)) return join_header(first);
+    if (may_be_header && is_header(fields_)) return join_header(first);
     const bool has_comma = first.content().find(',') != std::string_view::npos;
     if (separator_ == Separator::kTab && !has_comma) {
         separator_ = Separator::kBlanks;

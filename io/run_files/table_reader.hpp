@@ -30,9 +30,10 @@ namespace pcvt {
 class TableScanner {
    public:
     /// Reads the header, if there is one.
-    /// @param name  the file's name in messages.
-    /// @param text  must outlive the scanner.
-    TableScanner(std::string name, std::string_view text);
+    /// @param name        the file's name in messages.
+    /// @param text        must outlive the scanner.
+    /// @param has_header  false: the first line is a row, also if it consists of words.
+    TableScanner(std::string name, std::string_view text, bool has_header = true);
 
     const std::string& name() const { return lines_.name(); }
     bool has_header() const { return !header_.empty(); }
@@ -76,7 +77,7 @@ class TableScanner {
     std::string listed_columns() const;
 
    private:
-    void read_header();
+    void read_header(bool may_be_header);
     void join_header(const TableLines& header);
     [[noreturn]] void refuse_width() const;
     double decimal_number(std::size_t column, std::string_view field);

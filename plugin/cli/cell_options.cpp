@@ -12,6 +12,7 @@
 #include "io/run_files/density_image.hpp"
 #include "io/run_files/inclusion_reader.hpp"
 #include "io/run_files/site_reader.hpp"
+#include "io/run_files/weight_reader.hpp"
 #include "mesher/cells/target_areas.hpp"
 #include "plugin/cli/help_command.hpp"
 #include "plugin/cli/options/option_values.hpp"
@@ -93,6 +94,10 @@ void add_cell_options(CLI::App& app, CellOptions& options, Job& job) {
         "diameter or radius as its header or diameter:FILE says, scaled to\n"
         "the area of the domain, which with --period auto is their sum; see\n"
         "--max-iterations");
+    add("--weights", options.weights, "FILE[:COLUMN]",
+        "the power cells (Laguerre cells) of the sites of --input: one weight a\n"
+        "line, a length squared, or below the header radius a radius; needs\n"
+        "--max-iterations 0; a column weight of --input counts as well");
     add("--aspect", options.aspect, "R[,DEGREES]",
         "elongated cells, R times as long along DEGREES from x as across\n"
         "it, from 0.01 to 100 [1,0]");
@@ -124,6 +129,12 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
     if (app.count("--areas") > 0) {
         job.areas = target_sizes(options.areas);
         if (!names_area_law(options.areas)) job.inputs.push_back(area_table(options.areas).path);
+    }
+    if (app.count("--weights") > 0) {
+        if (app.count("--input") == 0) {
+            throw InvalidInput("--weights is for the sites of --input; add it");
+        }
+        job.inputs.push_back(weight_table(options.weights).path);
     }
     if (app.count("--walls") > 0) {
         job.walls = chosen_row("--walls", options.walls, std::span(kWalls).subspan<1>()).walls;
@@ -176,6 +187,13 @@ void read_area_file(Job& job) {
     require_areas(file, job.n_wanted());
     job.areas->given = std::move(file.areas);
     job.areas->name = std::move(file.description);
+}
+
+void read_weight_file(const CellOptions& options, Job& job) {
+    if (options.weights.empty()) return;
+    const WeightFile file = read_weights(weight_table(options.weights));
+    require_weights(file, job.n_wanted());
+    job.weights = GivenWeights{file.weights, file.description};
 }
 
 plane::Density density_option(const std::string& density, const std::string& range,

@@ -17,6 +17,7 @@ struct CellOptions {
     std::string density;
     std::string density_range;
     std::string areas;
+    std::string weights;
     std::string aspect;
     std::string walls;
     std::string wall_cells;
@@ -40,6 +41,10 @@ plane::Lattice automatic_period(const CellOptions& options);
 /// Reads the file of areas of a job that has its sites, if it names one.
 /// @throws BadFile naming the line.
 void read_area_file(Job& job);
+
+/// Reads the file of --weights, which says a weight for each of the given sites of the job.
+/// @throws BadFile naming the line.
+void read_weight_file(const CellOptions& options, Job& job);
 
 /// The density of --density and --density-range.
 ///

@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <utility>
 
-#include "io/run_files/site_reader.hpp"
+#include "io/run_files/site_table.hpp"
+#include "mesher/plane/cvt/weighted_cells.hpp"
 #include "mesher/plane/density/density_survey.hpp"
+#include "plugin/cli/options/material_options.hpp"
 #include "plugin/cli/summary.hpp"
 #include "plugin/cli/terminal/cancel_signal.hpp"
 #include "plugin/cli/terminal/console.hpp"
@@ -63,6 +65,22 @@ RunSummary run_watched(const Job& job, bool quiet) {
     });
 }
 
+/// Names the sites without a cell by their lines in the file.
+template <class File>
+BadFile empty_cell_lines(const File& file, const plane::EmptyCells& empty) {
+    std::string lines;
+    for (const SiteId s : empty.sites()) {
+        lines += (lines.empty() ? "" : ", ") + std::to_string(file.lines[std::size_t(s)]);
+    }
+    const bool is_one = empty.sites().size() == 1;
+    return BadFile(file.name + ":" +
+                   std::to_string(file.lines[std::size_t(empty.sites().front())]) + ": " +
+                   (is_one ? "the cell of this site is" : "the cells of these sites are") +
+                   " empty, because the weights of others reach over " + (is_one ? "it" : "them") +
+                   (is_one ? "" : ": lines " + lines) + "; remove the " +
+                   (is_one ? "line" : "lines") + ", or give larger weights");
+}
+
 /// Runs the job, of which the file has points or fixed sites. Reports coincident sites by their
 /// lines in the file.
 template <class File>
@@ -74,6 +92,9 @@ RunSummary run_distinct(Job& job, const File& file, bool quiet) {
         // Without the sites that were dropped, the others have other numbers.
         if (!job.dropped.sites.empty()) throw;
         throw duplicate_lines(file, duplicate);
+    } catch (const plane::EmptyCells& empty) {
+        if (!job.dropped.sites.empty()) throw;
+        throw empty_cell_lines(file, empty);
     }
 }
 
@@ -102,6 +123,24 @@ void require_all_sites(Job& job) {
                                  "of sites, and their areas"));
 }
 
+/// Takes the quantities of each site that the table of the sites has; options win over them.
+template <int kDimension>
+void take_columns(const SiteTable<kDimension>& table, Job& job) {
+    if (kDimension == 3) return;
+    if (table.weights && !job.weights) {
+        if (job.run.max_iterations != 0) {
+            throw BadFile(table.sites.name +
+                          ": the sites have weights, whose cells keep them where they are; add "
+                          "--max-iterations 0, or take only the positions, --input " +
+                          table.sites.name + ":x,y");
+        }
+        job.weights = GivenWeights{table.weights->weights, table.weights->description};
+    }
+    if (job.has_inclusions()) return;
+    if (table.phases && job.materials.phases.empty()) set_phases(*table.phases, job.materials);
+    if (!job.materials.has_orientations()) job.materials.orientations = table.orientations;
+}
+
 /// Reads the files that the job names, and runs it.
 /// @param domain  that of the job.
 template <class Domain>
@@ -114,10 +153,14 @@ RunSummary run_in(Domain& domain, Job& job, const MeshOptions& options) {
         return domain.fixed.cols() > 0 ? run_distinct(job, fixed, options.quiet)
                                        : run_watched(job, options.quiet);
     }
-    const SiteFileOf<kDimension> file = read_sites<kDimension>(parse_table_name(options.input));
+    const SiteTable<kDimension> table =
+        read_site_table<kDimension>(parse_table_name(options.input));
+    const SiteFileOf<kDimension>& file = table.sites;
     domain.points = file.points;
     job.lines = file.lines;
+    take_columns(table, job);
     read_area_file(job);
+    read_weight_file(options.cells, job);
     if (options.period == "auto" && job.areas) require_all_sites(job);
     require_near_sites(domain.lattice, file);
     return run_distinct(job, file, options.quiet);

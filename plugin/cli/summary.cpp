@@ -257,7 +257,7 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     if (summary.start.pattern) text += pattern_lines(job, *summary.start.pattern);
     if (summary.density) text += density_lines(*summary.density);
     if (summary.areas) text += area_lines(job, *summary.areas);
-    if (job.weights) text += summary_line("weights", job.weights->name + ", lengths squared");
+    if (job.weights) text += summary_line("weights", job.weights->name);
     text += constraint_lines(job, summary);
     text += phase_lines(summary, !job.materials.site_phases.empty());
     if (summary.angles) text += summary_line("angles", angle_text(*summary.angles));

@@ -271,8 +271,9 @@ JobStart job_start(const Job& job, const ProgressCallback& callback) {
     } else {
         start = row.make(job, callback);
     }
-    // Given areas belong to random places: numbers by columns would arrange sorted areas.
-    const bool given = job.areas && job.areas->given.size() > 0;
+    // Given areas and phases belong to random places: numbers by columns would arrange sorted ones.
+    const bool given =
+        (job.areas && job.areas->given.size() > 0) || !job.materials.site_phases.empty();
     if (job.n_given() > 0 || given) start.numbering = plane::Numbering::kAsGiven;
     start.areas = std::move(areas);
     return start;

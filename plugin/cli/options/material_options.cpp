@@ -3,18 +3,39 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <filesystem>
 
 #include "io/bytes/text.hpp"
 #include "io/run_files/orientation_reader.hpp"
 #include "mesher/base/error.hpp"
 
 namespace pcvt::cli {
+namespace {
+
+/// A file that exists wins over fractions.
+void read_phase_choice(const std::string& text, MaterialChoices& choices,
+                       std::vector<std::string>& inputs) {
+    const TableName table = parse_table_name(text);
+    if (std::filesystem::exists(table.path)) {
+        set_phases(read_phases(table), choices);
+        inputs.push_back(table.path);
+        return;
+    }
+    try {
+        choices.phases = parse_phases(text);
+    } catch (const InvalidInput& error) {
+        throw InvalidInput("--phases " + in_quotes(text) + ": " + error.what());
+    }
+}
+
+}  // namespace
 void add_material_options(CLI::App& app, MaterialOptions& options) {
     app.option_defaults()->group("Materials");
     app.add_option("--phases", options.phases,
                    "each cell gets a phase; the fractions of the area sum to 1, and the\n"
-                   "cells of a phase are spread evenly, drawn from --seed")
-        ->type_name("NAME:FRACTION,...");
+                   "cells of a phase are spread evenly, drawn from --seed; or the phase of\n"
+                   "each site, one name a line")
+        ->type_name("NAME:FRACTION,...|FILE[:COLUMN]");
     app.add_option("--orientations", options.orientations,
                    "each cell gets an orientation: Bunge's angles phi1, Phi, phi2; random:\n"
                    "without a texture, drawn from --seed; else a table with three angles a\n"
@@ -44,16 +65,16 @@ ElasticChoices elastic_choices(const MaterialOptions& options) {
     }
 }
 
+void set_phases(const PhaseFile& file, MaterialChoices& choices) {
+    choices.phases.clear();
+    for (const std::string& name : file.names) choices.phases.push_back({.name = name});
+    choices.site_phases = file.site_phases;
+}
+
 MaterialChoices material_choices(const CLI::App& app, const MaterialOptions& options,
                                  std::vector<std::string>& inputs) {
     MaterialChoices choices;
-    if (app.count("--phases") > 0) {
-        try {
-            choices.phases = parse_phases(options.phases);
-        } catch (const InvalidInput& error) {
-            throw InvalidInput("--phases " + in_quotes(options.phases) + ": " + error.what());
-        }
-    }
+    if (app.count("--phases") > 0) read_phase_choice(options.phases, choices, inputs);
     if (app.count("--orientations") == 0) return choices;
     choices.draws_orientations = options.orientations == "random";
     if (choices.draws_orientations) return choices;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "io/run_files/phase_reader.hpp"
 #include "mesher/cells/elastic_choices.hpp"
 #include "mesher/cells/material_choices.hpp"
 
@@ -26,10 +27,13 @@ struct MaterialOptions {
 ///   job.materials = material_choices(app, options.materials, job.inputs);
 void add_material_options(CLI::App& app, MaterialOptions& options);
 
-/// Reads the file of orientations, and adds its path to `inputs`.
+/// Reads the files of phases and of orientations, and adds their paths to `inputs`.
 /// @throws InvalidInput, BadFile naming the option or the file with its line.
 MaterialChoices material_choices(const CLI::App& app, const MaterialOptions& options,
                                  std::vector<std::string>& inputs);
+
+/// Gives each site the phase of a table.
+void set_phases(const PhaseFile& file, MaterialChoices& choices);
 
 /// The elastic constants of --material.
 /// @throws InvalidInput naming the option.
