@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "io/run_files/site_table.hpp"
-#include "mesher/plane/cvt/weighted_cells.hpp"
+#include "mesher/cells/empty_cells.hpp"
 #include "mesher/plane/density/density_survey.hpp"
 #include "plugin/cli/options/material_options.hpp"
 #include "plugin/cli/summary.hpp"
@@ -67,7 +67,7 @@ RunSummary run_watched(const Job& job, bool quiet) {
 
 /// Names the sites without a cell by their lines in the file.
 template <class File>
-BadFile empty_cell_lines(const File& file, const plane::EmptyCells& empty) {
+BadFile empty_cell_lines(const File& file, const EmptyCells& empty) {
     std::string lines;
     for (const SiteId s : empty.sites()) {
         lines += (lines.empty() ? "" : ", ") + std::to_string(file.lines[std::size_t(s)]);
@@ -92,7 +92,7 @@ RunSummary run_distinct(Job& job, const File& file, bool quiet) {
         // Without the sites that were dropped, the others have other numbers.
         if (!job.dropped.sites.empty()) throw;
         throw duplicate_lines(file, duplicate);
-    } catch (const plane::EmptyCells& empty) {
+    } catch (const EmptyCells& empty) {
         if (!job.dropped.sites.empty()) throw;
         throw empty_cell_lines(file, empty);
     }

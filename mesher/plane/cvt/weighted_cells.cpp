@@ -13,19 +13,7 @@
 namespace pcvt::plane {
 namespace {
 
-/// Sites without cells that a message names.
-constexpr std::size_t kMostNamed = 20;
-
-std::string names_of_empty_cells(const std::vector<SiteId>& sites) {
-    const std::string first = "site " + std::to_string(sites.front());
-    const std::string remedy =
-        " too small beside those of the neighbours; leave such sites out, or give larger weights";
-    if (sites.size() == 1)
-        return "the cell of " + first + " is empty, because its weight is" + remedy;
-    return "the cells of " + std::to_string(sites.size()) +
-           (sites.size() == kMostNamed ? " sites or more" : " sites") +
-           " are empty, the first that of " + first + ", because their weights are" + remedy;
-}
+constexpr std::size_t kMostNamed = EmptyCells::kMostNamed;
 
 /// The weights of sites in the order and the unit of their triangulation.
 Eigen::VectorXd ordered_weights(const MovingDelaunay& delaunay, const Eigen::VectorXd& weights) {
@@ -119,9 +107,6 @@ void require_weights(const Eigen::VectorXd& weights, Eigen::Index n_sites) {
 }
 
 }  // namespace
-
-EmptyCells::EmptyCells(std::vector<SiteId> sites)
-    : InvalidInput(names_of_empty_cells(sites)), sites_(std::move(sites)) {}
 
 CvtResult weighted_cells(const Lattice& lattice, const Points& points,
                          const Eigen::VectorXd& weights, const RunOptions& run) {

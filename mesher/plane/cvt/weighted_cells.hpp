@@ -1,27 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
-#include <vector>
 
-#include "mesher/base/error.hpp"
-#include "mesher/base/site_id.hpp"
+#include "mesher/cells/empty_cells.hpp"
 #include "mesher/plane/cvt/walled_cvt.hpp"
 
 namespace pcvt::plane {
-
-/// Sites whose power cells are empty, because their weights are too small beside those of their
-/// neighbours: all of them, or the first 20 that were found.
-class EmptyCells : public InvalidInput {
-   public:
-    /// @pre there is at least one.
-    explicit EmptyCells(std::vector<SiteId> sites);
-
-    const std::vector<SiteId>& sites() const { return sites_; }
-
-   private:
-    std::vector<SiteId> sites_;
-};
 
 /// Computes the power diagram (Laguerre diagram) of sites that stay where they are: cell i is where
 /// |p - x_i|^2 - w_i is least. With w_i = r_i^2 it is the diagram of circles of radius r_i.
