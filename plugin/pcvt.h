@@ -283,6 +283,12 @@ typedef struct pcvt_options {
                            of volume / n_sites, modulo the lattice: an error that names them all, or
                            left out, with their areas and orientations, and the others are numbered
                            from 0 again; see pcvt_statistics [PCVT_DUPLICATES_REFUSE] */
+    int32_t n_weights;  /**< n_sites, or 0 where `weights` is NULL [0] */
+    const double* weights;      /**< n_weights lengths squared: the power cells of `sites`, which
+                                   stay where they are; needs max_iterations 0 [NULL] */
+    const int32_t* site_phases; /**< n_site_phases indices from 0: the phase of each site, of the
+                                   names that `phases` then lists as "NAME,NAME,..." [NULL] */
+    int32_t n_site_phases;      /**< n_sites, or 0 where `site_phases` is NULL [0] */
     int32_t reserved5;
 } pcvt_options;
 

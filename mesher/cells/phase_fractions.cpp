@@ -42,6 +42,17 @@ std::string in_words(double x) {
     return {text.data(), end};
 }
 
+/// The texts between commas.
+std::vector<std::string_view> entries_of(std::string_view text) {
+    std::vector<std::string_view> entries;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        entries.push_back(text.substr(begin, comma - begin));
+        begin = comma + 1;
+    }
+    return entries;
+}
+
 PhaseFraction parse_phase(std::string_view entry) {
     const std::size_t colon = std::min(entry.find(':'), entry.size());
     PhaseFraction phase{.name = std::string(entry.substr(0, colon))};
@@ -93,13 +104,20 @@ std::vector<PhaseFraction> checked_phases(std::vector<PhaseFraction> phases) {
     return phases;
 }
 
+std::vector<PhaseFraction> named_phases(std::string_view text) {
+    std::vector<PhaseFraction> phases;
+    std::vector<std::string> names;
+    for (const std::string_view name : entries_of(text)) {
+        names.emplace_back(name);
+        phases.push_back({.name = names.back()});
+    }
+    require_phase_names(names);
+    return phases;
+}
+
 std::vector<PhaseFraction> parse_phases(std::string_view text) {
     std::vector<PhaseFraction> phases;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        phases.push_back(parse_phase(text.substr(begin, comma - begin)));
-        begin = comma + 1;
-    }
+    for (const std::string_view entry : entries_of(text)) phases.push_back(parse_phase(entry));
     return checked_phases(std::move(phases));
 }
 

@@ -31,6 +31,10 @@ inline constexpr int kLongestPhaseName = 60;
 /// @throws InvalidInput with the entry and the remedy.
 std::vector<PhaseFraction> parse_phases(std::string_view text);
 
+/// Reads `NAME,NAME,...`, phases without fractions: those of given sites.
+/// @throws InvalidInput as require_phase_names() does.
+std::vector<PhaseFraction> named_phases(std::string_view text);
+
 /// Requires names that parse_phases() accepts.
 /// @throws InvalidInput naming the first wrong one.
 void require_phase_names(const std::vector<std::string>& names);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "io/bytes/output_error.hpp"
+#include "mesher/cells/empty_cells.hpp"
 #include "mesher/finite_volume/mpas_grid.hpp"
 #include "mesher/plane/density/density.hpp"
 #include "plugin/job/features.hpp"
@@ -91,6 +92,8 @@ pcvt_status note_failure(const std::exception_ptr& exception) noexcept {
     } catch (const BadGeometry& error) {
         return note(PCVT_ERROR_GEOMETRY, error.what());
     } catch (const DuplicateSites& error) {
+        return note(PCVT_ERROR_GEOMETRY, error.what());
+    } catch (const EmptyCells& error) {
         return note(PCVT_ERROR_GEOMETRY, error.what());
     } catch (const UnsuitableCells& error) {
         return note(PCVT_ERROR_GEOMETRY, error.what());

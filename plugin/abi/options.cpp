@@ -130,9 +130,49 @@ std::optional<Aspect> aspect(const pcvt_options& options) {
     return Aspect{.ratio = options.aspect, .degrees = options.aspect_degrees};
 }
 
+std::optional<GivenWeights> given_weights(const pcvt_options& options) {
+    if (options.weights == nullptr) {
+        if (options.n_weights == 0) return std::nullopt;
+        throw InvalidInput("n_weights is not 0, but weights is a null pointer; give both");
+    }
+    if (options.n_weights != options.n_sites) {
+        throw InvalidInput("n_weights is not n_sites; give one weight for each site");
+    }
+    require_finite("weights", options.weights, options.n_weights);
+    return GivenWeights{Eigen::Map<const Eigen::VectorXd>(options.weights, options.n_weights),
+                        "given"};
+}
+
+/// Sets the phase of each site, of the names that `phases` lists.
+void read_site_phases(const pcvt_options& options, MaterialChoices& choices) {
+    if (options.phases == nullptr) {
+        throw InvalidInput("site_phases needs the names of the phases; set phases");
+    }
+    if (options.n_site_phases != options.n_sites) {
+        throw InvalidInput("n_site_phases is not n_sites; give one phase for each site");
+    }
+    choices.phases = named_phases(options.phases);
+    const auto n_phases = static_cast<std::int32_t>(choices.phases.size());
+    for (std::int32_t s = 0; s < options.n_sites; ++s) {
+        const std::int32_t phase = options.site_phases[s];
+        if (phase < 0 || phase >= n_phases) {
+            throw InvalidInput("site_phases of site " + std::to_string(s) + " is " +
+                               std::to_string(phase) + "; take 0 to " +
+                               std::to_string(n_phases - 1) + ", an index of a name in phases");
+        }
+        choices.site_phases.push_back(phase);
+    }
+}
+
 MaterialChoices materials(const pcvt_options& options) {
     MaterialChoices choices;
-    if (options.phases != nullptr) choices.phases = parse_phases(options.phases);
+    if (options.site_phases != nullptr) {
+        read_site_phases(options, choices);
+    } else if (options.n_site_phases != 0) {
+        throw InvalidInput("n_site_phases is not 0, but site_phases is a null pointer; give both");
+    } else if (options.phases != nullptr) {
+        choices.phases = parse_phases(options.phases);
+    }
     if (options.random_orientations != 0 && options.random_orientations != 1) {
         throw InvalidInput("random_orientations is neither 0 nor 1");
     }
@@ -255,6 +295,7 @@ Job make_job(const pcvt_options& options) {
     }
     job.tile.finds_origin = options.find_origin == 1;
     job.areas = target_sizes(options);
+    job.weights = given_weights(options);
     job.aspect = aspect(options);
     job.symmetry = symmetry(options.symmetry);
     job.walls = chosen_row("walls", options.walls, kWalls).walls;

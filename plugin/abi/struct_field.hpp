@@ -34,11 +34,11 @@ bool differ_in(const Struct& one, const Struct& other) {
 
 template <auto kField, class Struct, class Value>
 constexpr StructField<Struct> field_of(const char* name, Value Struct::* /*type*/) {
-    StructField<Struct> field{name, differ_in<kField, Struct>};
     if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::int32_t>) {
-        field.number = kField;
+        return {name, differ_in<kField, Struct>, kField};
+    } else {
+        return {name, differ_in<kField, Struct>};
     }
-    return field;
 }
 
 /// The row of a field: struct_field<&pcvt_options::tolerance>("tolerance").

@@ -52,7 +52,11 @@ inline constexpr std::array kOptionFields{
     struct_field<&pcvt_options::holes>("holes"),
     struct_field<&pcvt_options::dimension>("dimension"),
     struct_field<&pcvt_options::lattice3>("lattice3"),
-    struct_field<&pcvt_options::duplicates>("duplicates")};
+    struct_field<&pcvt_options::duplicates>("duplicates"),
+    struct_field<&pcvt_options::n_weights>("n_weights"),
+    struct_field<&pcvt_options::weights>("weights"),
+    struct_field<&pcvt_options::site_phases>("site_phases"),
+    struct_field<&pcvt_options::n_site_phases>("n_site_phases")};
 
 inline constexpr std::array kWriteFields{
     struct_field<&pcvt_write_options::report>("report"),

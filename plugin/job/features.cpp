@@ -123,7 +123,7 @@ constexpr std::array kFeatures{
                .is_chosen = [](const Job& job) { return job.stability; }},
     FeatureRow{.feature = F::kPhases,
                .option = "--phases",
-               .fields = "phases",
+               .fields = "phases site_phases n_site_phases",
                .is_chosen = [](const Job& job) { return !job.materials.phases.empty(); },
                .in_files = "phases",
                .taken = takes<&Format::takes_phases>},

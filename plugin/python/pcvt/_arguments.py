@@ -49,6 +49,25 @@ def set_areas(options, areas):
     return array
 
 
+def set_weights(options, weights):
+    """Returns the array that must stay alive as long as the options are used, or None."""
+    if weights is None:
+        return None
+    array = doubles("weights", weights, np.size(weights))
+    set_integers(options, n_weights=len(array))
+    options.weights = array.ctypes.data
+    return array
+
+
+def set_site_phases(options, phases):
+    """Sets the phase of each site from its name. Returns the array that must stay alive."""
+    names = list(dict.fromkeys(map(str, phases)))
+    indices = np.array([names.index(str(phase)) for phase in phases], dtype=np.int32)
+    set_integers(options, n_site_phases=len(indices))
+    options.site_phases, options.phases = indices.ctypes.data, text("phases", ",".join(names))
+    return indices
+
+
 def set_materials(options, phases, orientations):
     """Returns the array that must stay alive as long as the options are used, or None."""
     if phases is not None:

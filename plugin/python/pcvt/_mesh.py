@@ -3,7 +3,7 @@
 import numpy as np
 
 from ._arguments import (period_vectors, refuse_plane_only, set_areas, set_fixed, set_inclusions,
-                         set_materials)
+                         set_materials, set_site_phases, set_weights)
 from ._calls import (choice, default_options, generated, require_numbers, set_doubles, set_fields, set_integers,
                      set_sites, shaped)
 from ._result import Result
@@ -14,7 +14,7 @@ from ._structs import Options
 def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0), origin=(0, 0),
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
-         budget=0, progress=None, areas=None, aspect=1.0, phases=None, orientations=None, symmetry=None,
+         budget=0, progress=None, areas=None, weights=None, aspect=1.0, phases=None, orientations=None, symmetry=None,
          walls="none", wall_cells="whole", fixed=None, inclusions=None, fibres=None, holes=(),
          duplicates="refuse", **fields):
     """Generates a periodic centroidal Voronoi tessellation of the plane, or, with three period vectors,
@@ -68,10 +68,13 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     scaled to the area of the domain; or "equal", or "lognormal:S" or "gamma:S", drawn
                     from `seed`, with S the standard deviation over the mean of the equivalent
                     diameters. See Result.weights
+    weights         the power cells (Laguerre cells) of given sites that stay where they are, with
+                    max_iterations=0: shape (n,), lengths squared, such as radii ** 2
     aspect          R or (R, degrees): cells R times as long along degrees from x as across, 0.01 to
                     100
     phases          each cell gets a phase: {name: fraction of the area}, or "NAME:FRACTION,...", with the
-                    sum 1; spread evenly, drawn from `seed`. See Result.phases
+                    sum 1; spread evenly, drawn from `seed`; or a list with the name of each site's phase.
+                    See Result.phases
     orientations    each cell gets an orientation: shape (n, 3), Bunge's angles phi1, Phi, phi2 in
                     degrees; or "random", drawn from `seed`. See Result.orientations
     symmetry        drawn sites have, and keep, the symmetry of a plane group: p1, p2, pm, pg, cm, pmm, pmg,
@@ -101,6 +104,9 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     options.dimension = dimension
     # Alive while the library reads them.
     _points, _areas = set_sites(options, sites, dimension), set_areas(options, areas)
+    _weights, _phases = set_weights(options, weights), None
+    if phases is not None and not isinstance(phases, (str, dict)):
+        _phases, phases = set_site_phases(options, phases), None
     _angles = set_materials(options, phases, orientations)
     _fixed = set_fixed(options, fixed)
     set_inclusions(options, inclusions, fibres, holes)

@@ -29,7 +29,8 @@ class Options(ctypes.Structure):
                 ("symmetry", c_int32), ("walls", c_int32), ("wall_cells", c_int32), ("reserved2", c_int32),
                 ("inclusions", c_char_p), ("fibres", c_char_p), ("fixed_sites", c_void_p),
                 ("n_fixed_sites", c_int32), ("reserved3", c_int32), ("holes", c_char_p), ("dimension", c_int32),
-                ("reserved4", c_int32), ("lattice3", c_double * 9), ("duplicates", c_int32), ("reserved5", c_int32)]
+                ("reserved4", c_int32), ("lattice3", c_double * 9), ("duplicates", c_int32), ("n_weights", c_int32),
+                ("weights", c_void_p), ("site_phases", c_void_p), ("n_site_phases", c_int32), ("reserved5", c_int32)]
 
 
 class Sites(ctypes.Structure):

@@ -34,9 +34,9 @@ PLANE_ONLY = {
     "coriolis", "cut", "cut_width", "density", "density_data", "density_range", "density_source", "element",
     "fibres", "find_origin", "fixed", "fixed_sites", "float32", "glb_nodes", "gltf_nodes", "grain_order",
     "grain_per_edge", "grain_size", "hole", "holes", "inclusions", "job", "material", "materials", "n_areas",
-    "n_fixed_sites", "n_orientations", "order", "orientations", "origin", "outline", "per_edge", "phases", "pixels",
-    "random_orientations", "repeat", "retry", "rows", "single_precision", "size", "symmetry", "thickness",
-    "voxel_layers", "voxels", "wall_cells", "walls",
+    "n_fixed_sites", "n_orientations", "n_site_phases", "n_weights", "order", "orientations", "origin", "outline",
+    "per_edge", "phases", "pixels", "random_orientations", "repeat", "retry", "rows", "single_precision",
+    "site_phases", "size", "symmetry", "thickness", "voxel_layers", "voxels", "wall_cells", "walls", "weights",
 }
 
 # Fields of pcvt.h that state an option whose value is one number.

@@ -154,6 +154,10 @@ static void print_options(void) {
     FIELD(pcvt_options, reserved4);
     FIELD(pcvt_options, lattice3);
     FIELD(pcvt_options, duplicates);
+    FIELD(pcvt_options, n_weights);
+    FIELD(pcvt_options, weights);
+    FIELD(pcvt_options, site_phases);
+    FIELD(pcvt_options, n_site_phases);
     FIELD(pcvt_options, reserved5);
 }
 

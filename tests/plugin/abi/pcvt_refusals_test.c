@@ -345,6 +345,45 @@ static void coincident_sites_are_dropped_with_their_areas(void) {
     pcvt_free(result);
 }
 
+static void weights_and_phases_of_sites_are_checked(void) {
+    const double sites[6] = {0.2, 0.2, 0.3, 0.2, 0.7, 0.7};
+    const double weights[3] = {0.1, 0, 0};
+    const double wrong[3] = {0, NAN, 0};
+    const int32_t phases[3] = {0, 1, 0};
+    const int32_t none[3] = {0, 2, 0};
+    pcvt_options options = options_for(3);
+    pcvt_sites view;
+    pcvt_result* result;
+    options.sites = sites;
+    options.weights = weights;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "n_weights is not n_sites");
+    options.n_weights = 3;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT,
+            "weights keeps sites where they are; add max_iterations 0");
+    options.max_iterations = 0;
+    REFUSED(&options, PCVT_ERROR_GEOMETRY, "the cell of site 1 is empty");
+    options.weights = wrong;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "weights is not finite");
+    options.weights = NULL;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "weights is a null pointer");
+    options.n_weights = 0;
+    options.site_phases = phases;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "set phases");
+    options.phases = "a,b";
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "n_site_phases is not n_sites");
+    options.n_site_phases = 3;
+    options.site_phases = none;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "site_phases of site 1 is 2; take 0 to 1");
+    options.site_phases = phases;
+    result = generated(&options);
+    CHECK(pcvt_get_sites(result, &view, sizeof view) == PCVT_OK);
+    CHECK(view.n_phases == 2 && view.phases[0] == 0 && view.phases[1] == 1 && view.phases[2] == 0);
+    CHECK(strcmp(view.phase_names[1], "b") == 0);
+    pcvt_free(result);
+    options.site_phases = NULL;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "site_phases is a null pointer");
+}
+
 static void cells_that_a_format_refuses_are_a_matter_of_geometry(void) {
     pcvt_options options = options_for(12);
     pcvt_result* result;
@@ -501,6 +540,7 @@ int main(void) {
     unknown_forms_of_files_are_refused();
     coincident_sites_are_named();
     coincident_sites_are_dropped_with_their_areas();
+    weights_and_phases_of_sites_are_checked();
     cells_that_a_format_refuses_are_a_matter_of_geometry();
     every_status_has_a_distinct_text();
     files_that_cannot_fit_are_refused_before_they_are_made();

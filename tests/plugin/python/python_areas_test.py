@@ -28,6 +28,21 @@ class Areas(unittest.TestCase):
         self.assertEqual(result.weights.shape, (40,))
         self.assertAlmostEqual(result.weights.sum(), 0, 12)
 
+    def test_weights_and_phases_of_given_sites_give_the_same_cells_again(self):
+        one = pcvt.mesh(40, OBLIQUE, areas="lognormal:0.4", max_iterations=3, phases={"a": 0.3, "b": 0.7})
+        names = [one.phase_names[k] for k in one.phases]
+        again = pcvt.mesh(one.sites, OBLIQUE, weights=one.weights, max_iterations=0, phases=names)
+        np.testing.assert_array_equal(again.weights, one.weights)
+        np.testing.assert_allclose(again.cells["area"], one.cells["area"], rtol=1e-12)
+        np.testing.assert_array_equal(again.sites, one.sites)
+        self.assertEqual([again.phase_names[k] for k in again.phases], names)
+        with self.assertRaisesRegex(pcvt.ArgumentError, "^weights keeps sites where they are"):
+            pcvt.mesh(one.sites, OBLIQUE, weights=one.weights)
+        with self.assertRaisesRegex(pcvt.GeometryError, "^the cell of site 1 is empty"):
+            pcvt.mesh([[0.2, 0.2], [0.3, 0.2], [0.7, 0.7]], weights=[0.1, 0, 0], max_iterations=0)
+        with self.assertRaisesRegex(pcvt.ArgumentError, "^weights is not for three dimensions"):
+            pcvt.mesh([[0, 0, 0]], period=(1, 1, 1), weights=[0], max_iterations=0)
+
     def test_a_law_is_drawn_from_the_seed(self):
         one, same, other = (pcvt.mesh(200, areas="lognormal:0.42", max_iterations=0, seed=seed) for seed in (1, 1, 2))
         np.testing.assert_array_equal(one.weights, same.weights)
