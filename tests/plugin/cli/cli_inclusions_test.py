@@ -168,9 +168,10 @@ class ListedImages(CliTest):
         shapes = "circle a 0 0.5 0.2\ncircle a 1 0.5 0.2\n"
         self.assertIn("1 shape (1 listed image left out), ", self.mesh(shapes, "--walls", "y"))
         self.succeed("check", "t.obj", "--inclusions", "shapes.txt")
-        self.path("shapes.txt").write_text("circle a 0.5 0.5 0.2\ncircle a 0.5 1.5 0.2\n")
-        self.refuse(2, r"shapes\.txt:2: the shape touches or crosses wall_top", "mesh", "--sites", 300, "--walls", "y",
-                    "--inclusions", "shapes.txt", "-o", "new.obj")
+        for y in (1.5, 2.5):
+            self.path("shapes.txt").write_text(f"circle a 0.5 0.5 0.2\ncircle a 0.5 {y} 0.2\n")
+            self.refuse(2, r"shapes\.txt:2: the shape touches or crosses wall_top", "mesh", "--sites", 300, "--walls", "y",
+                        "--inclusions", "shapes.txt", "-o", "new.obj")
 
     def test_with_another_tag_or_size_they_are_refused(self):
         for line, words in (("circle other 1 1 0.2", "the shape is an image of that of line 1 with another tag; give both"),
