@@ -314,7 +314,8 @@ typedef struct pcvt_sites {
 /** The form of an inclusion. */
 enum { PCVT_CIRCLE = 0, PCVT_ELLIPSE = 1, PCVT_POLYGON = 2 };
 
-/** The inclusions of a run, as they were given or drawn; images are implied.
+/** The inclusions of a run, as they were given or drawn; images are implied, and those that were
+ *  listed as well are left out.
  *
  *  Shape k has numbers[begin[k]] ... numbers[begin[k + 1] - 1]: x, y, r of a circle, x, y, a, b and
  *  degrees of an ellipse, x and y of each corner of a polygon.

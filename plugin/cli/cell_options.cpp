@@ -112,7 +112,7 @@ void add_cell_options(CLI::App& app, CellOptions& options, Job& job) {
     add("--inclusions", options.inclusions, "FILE",
         "shapes whose outlines no cell crosses, one a line: circle TAG x y r,\n"
         "ellipse TAG x y a b DEGREES, polygon TAG x1 y1 x2 y2 ...; images are\n"
-        "implied; the tags are the phases of the cells");
+        "implied, listed ones left out; the tags are the phases of the cells");
     add("--fibres", options.fibres, "FRACTION,N[,GAP]",
         "in place of --inclusions, N equal circles of the tag fibre with this\n"
         "part of the area, at random places by --seed, not nearer than GAP");

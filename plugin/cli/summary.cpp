@@ -150,9 +150,12 @@ std::string area_lines(const Job& job, const plane::AreaSummary& areas) {
 }
 
 std::string inclusion_text(const plane::InterfaceFigures& figures) {
-    std::string text = counted(static_cast<int>(figures.shapes.size()), "shape") + ", " +
-                       counted(figures.n_chords, "chord") + ", " +
-                       counted(figures.n_fixed, "site") + " in pairs beside them";
+    std::string text = counted(static_cast<int>(figures.shapes.size()), "shape");
+    if (figures.n_images > 0) {
+        text += " (" + counted(figures.n_images, "listed image") + " left out)";
+    }
+    text += ", " + counted(figures.n_chords, "chord") + ", " + counted(figures.n_fixed, "site") +
+            " in pairs beside them";
     if (figures.n_held > 0) text += ", " + counted(figures.n_held, "site") + " stopped at them";
     return text;
 }

@@ -11,6 +11,7 @@
 #include "mesher/cells/material_choices.hpp"
 #include "mesher/plane/interfaces/inclusion_set.hpp"
 #include "mesher/plane/interfaces/interface_nodes.hpp"
+#include "mesher/plane/interfaces/listed_images.hpp"
 #include "mesher/plane/symmetry/special_positions.hpp"
 #include "mesher/space/cvt/minimum.hpp"
 #include "mesher/space/mesh/short_edges.hpp"
@@ -160,8 +161,9 @@ void check_fixed_sites(const Job& job) {
 /// Requires that there are sites and room for the inclusions, and orbits for the sites.
 void check_constraints(const Job& job) {
     if (job.inclusions) {
-        const std::vector<plane::Inclusion>& shapes = job.inclusions->inclusions;
         naming_inclusions(job, [&] {
+            const std::vector<plane::Inclusion> shapes = plane::without_listed_images(
+                job.in_plane().lattice, job.walls, job.inclusions->inclusions);
             double n_seeds = 0;
             for (const plane::Inclusion& shape : shapes) n_seeds += fewest_seeds(shape.shape);
             plane::require_enough_sites(job.n_sites, n_seeds);

@@ -20,6 +20,7 @@
 #include "mesher/finite_volume/mpas_grid_proof.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/interfaces/inclusion_set.hpp"
+#include "mesher/plane/interfaces/listed_images.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "mesher/plane/proof/generated_tile.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
@@ -232,7 +233,8 @@ std::vector<std::string> area_seeds() {
 
 void read_inclusion_text(const std::string& bytes) {
     const InclusionFile file = parse_inclusions("inclusions.txt", bytes);
-    plane::InclusionSet(plane::Lattice({1, 0}, {0.3, 0.9}), file.inclusions);
+    const plane::Lattice lattice({1, 0}, {0.3, 0.9});
+    plane::InclusionSet(lattice, plane::without_listed_images(lattice, {}, file.inclusions));
 }
 
 std::vector<std::string> inclusion_seeds() {

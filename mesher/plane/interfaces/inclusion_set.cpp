@@ -5,6 +5,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/plane/geometry/sites.hpp"
 #include "mesher/plane/geometry/walled_domain.hpp"
+#include "mesher/plane/interfaces/listed_images.hpp"
 
 namespace pcvt::plane {
 namespace {
@@ -165,9 +166,8 @@ void InclusionSet::require_apart() const {
             refuse(inclusions_[i], "the shape meets an image of itself; make it smaller");
         }
         if (other < size()) {
-            refuse(inclusions_[other], "the shape overlaps that of line " +
-                                           std::to_string(inclusions_[i].line) +
-                                           "; move one of them");
+            refuse(inclusions_[other],
+                   complaint_of_overlap(reduction_.reduced, inclusions_[i], inclusions_[other]));
         }
     }
 }

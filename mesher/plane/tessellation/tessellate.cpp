@@ -8,6 +8,7 @@
 #include "mesher/plane/cvt/walled_area_cvt.hpp"
 #include "mesher/plane/cvt/walled_cvt.hpp"
 #include "mesher/plane/cvt/weighted_cells.hpp"
+#include "mesher/plane/interfaces/listed_images.hpp"
 #include "mesher/plane/mesh/interface_proof.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "mesher/plane/mesh/walled_mesh.hpp"
@@ -43,11 +44,12 @@ std::vector<int> counted_by_sites(std::vector<int> site_orbits) {
 }
 
 /// Sets the words and the areas of the tags of the matrix and of the inclusions.
-void set_tags(const TaggedInclusions& inclusions, Tessellation& cells) {
-    cells.tag_names = inclusions.tag_names;
+void set_tags(const std::vector<std::string>& names, const std::vector<Inclusion>& shapes,
+              Tessellation& cells) {
+    cells.tag_names = names;
     cells.tag_areas.assign(cells.tag_names.size(), 0);
     cells.tag_areas[0] = cells.lattice().area();
-    for (const Inclusion& inclusion : inclusions.shapes) {
+    for (const Inclusion& inclusion : shapes) {
         const double area = shape_area(inclusion.shape);
         cells.tag_areas[inclusion.tag] += area;
         cells.tag_areas[0] -= area;
@@ -105,7 +107,9 @@ Tessellation tessellate(const Lattice& lattice, const WallChoice& walls,
                         const TaggedInclusions& inclusions, int n, std::uint64_t seed,
                         const CvtOptions& options) {
     // Compute, and prove the outlines.
-    InclusionSet set(lattice, inclusions.shapes, walls.walls);
+    const std::vector<Inclusion> shapes =
+        without_listed_images(lattice, walls.walls, inclusions.shapes);
+    InclusionSet set(lattice, shapes, walls.walls);
     if (inclusions.box_corner) set.set_box(*inclusions.box_corner);
     InterfaceCvt result = compute_interface_cvt(set, n, seed, options, walls.cells);
     PeriodicMesh mesh = cell_mesh(result.cvt.delaunay);
@@ -117,10 +121,11 @@ Tessellation tessellate(const Lattice& lattice, const WallChoice& walls,
     if (result.walled) mesh = part_between_walls(std::move(mesh), *result.walled);
     cells.cache->cells = std::move(mesh);
     cells.site_tags = std::move(result.tag);
-    set_tags(inclusions, cells);
+    set_tags(inclusions.tag_names, shapes, cells);
     cells.holes = hole_sites(inclusions.holes, cells);
     cells.interfaces =
-        InterfaceFigures{.shapes = inclusions.shapes,
+        InterfaceFigures{.shapes = shapes,
+                         .n_images = static_cast<int>(inclusions.shapes.size() - shapes.size()),
                          .n_chords = static_cast<int>(result.interfaces.chords.size()),
                          .n_fixed = result.interfaces.n_seeds(),
                          .n_held = static_cast<int>(result.held.size())};

@@ -19,6 +19,7 @@ struct WallChoice {
 
 /// Inclusions, and the words of their tags.
 struct TaggedInclusions {
+    /// Images that are listed as well are left out (without_listed_images()).
     std::vector<Inclusion> shapes = {};
     /// The words of the tags 0, 1, ...; 0 is the matrix.
     std::vector<std::string> tag_names = {};

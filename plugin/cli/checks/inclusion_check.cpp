@@ -8,6 +8,7 @@
 
 #include "mesher/plane/geometry/face_polygon.hpp"
 #include "mesher/plane/interfaces/inclusion_set.hpp"
+#include "mesher/plane/interfaces/listed_images.hpp"
 #include "plugin/cli/checks/outline_proof.hpp"
 #include "plugin/cli/terminal/console.hpp"
 
@@ -19,10 +20,34 @@ constexpr double kSameArea = 1e-12;
 /// Nodes come from the corners of cells, whose rounding errors add up.
 constexpr double kRoundings = 8;
 
+/// Calls `work`, whose refusals name the file of the shapes.
+template <class Work>
+auto naming_shapes(const InclusionFile& shapes, const Work& work) {
+    try {
+        return work();
+    } catch (const plane::BadInclusion& error) {
+        throw BadFile(error.in_file(shapes.name));
+    } catch (const InvalidInput& error) {
+        throw BadFile(shapes.name + ": " + error.what());
+    }
+}
+
+/// The lattice of a tile that has `columns` x `rows` copies of its domain.
+plane::Lattice domain_of(const plane::Tile& tile) {
+    return {tile.lattice.a() / tile.columns, tile.lattice.b() / tile.rows};
+}
+
+/// The file without shapes that are images of others.
+InclusionFile distinct_shapes(const plane::Tile& tile, InclusionFile file) {
+    file.inclusions = naming_shapes(file, [&] {
+        return plane::without_listed_images(domain_of(tile), tile.walls, file.inclusions);
+    });
+    return file;
+}
+
 /// The shapes of all copies of the domain: shape k of copy c is inclusion k + c n.
-plane::InclusionSet set_of(const TileFile& file, const InclusionFile& shapes) {
-    const plane::Tile& tile = file.tile;
-    const plane::Lattice domain(tile.lattice.a() / tile.columns, tile.lattice.b() / tile.rows);
+plane::InclusionSet set_of(const plane::Tile& tile, const InclusionFile& shapes) {
+    const plane::Lattice domain = domain_of(tile);
     std::vector<plane::Inclusion> all;
     for (int j = 0; j < tile.rows; ++j) {
         for (int i = 0; i < tile.columns; ++i) {
@@ -32,15 +57,11 @@ plane::InclusionSet set_of(const TileFile& file, const InclusionFile& shapes) {
             }
         }
     }
-    try {
+    return naming_shapes(shapes, [&] {
         // Faults are those of the shapes of one domain.
         const plane::InclusionSet one(domain, shapes.inclusions, tile.walls);
-        return {tile.lattice, std::move(all), tile.walls};
-    } catch (const plane::BadInclusion& error) {
-        throw BadFile(error.in_file(shapes.name));
-    } catch (const InvalidInput& error) {
-        throw BadFile(shapes.name + ": " + error.what());
-    }
+        return plane::InclusionSet(tile.lattice, std::move(all), tile.walls);
+    });
 }
 
 class InclusionCheck {
@@ -49,9 +70,10 @@ class InclusionCheck {
         : file_(file),
           tile_(file.tile),
           proof_(proof),
-          shapes_(shapes),
-          set_(set_of(file, shapes)),
-          n_shapes_(static_cast<int>(shapes.inclusions.size())),
+          shapes_(distinct_shapes(tile_, shapes)),
+          set_(set_of(tile_, shapes_)),
+          n_shapes_(static_cast<int>(shapes_.inclusions.size())),
+          n_images_(static_cast<int>(shapes.inclusions.size()) - n_shapes_),
           copies_(tile_.columns * tile_.rows),
           domain_area_(tile_.lattice.area() / copies_) {
         const double n = static_cast<double>(tile_.site_positions.size());
@@ -77,6 +99,7 @@ class InclusionCheck {
         }
         const auto n_holes = std::count(is_hole_.begin(), is_hole_.end(), true);
         return ", " + std::to_string(n_shapes_) + " inclusions of " + shapes_.name +
+               (n_images_ > 0 ? " (" + counted(n_images_, "listed image") + " left out)" : "") +
                (n_holes > 0 ? ", " + std::to_string(n_holes) + " of them holes," : "") + " with " +
                std::to_string(n_edges) + " edges on their outlines, areas within " +
                figure(area_error_) + " of the domain (tolerance " + figure(area_tolerance_) + ")" +
@@ -249,9 +272,11 @@ class InclusionCheck {
     const TileFile& file_;
     const plane::Tile& tile_;
     const plane::TileProof& proof_;
-    const InclusionFile& shapes_;
+    InclusionFile shapes_;
     plane::InclusionSet set_;
     int n_shapes_;
+    /// Shapes of the file that are images of others.
+    int n_images_;
     int copies_;
     double domain_area_;
     /// Length units.

@@ -91,7 +91,8 @@ static void inclusions_are_those_that_were_given(void) {
     pcvt_inclusions shapes;
     int32_t k;
     options.inclusions =
-        "circle a 0.5 0.9 0.1\nellipse b 0.5 0.4 0.2 0.1 30\npolygon a .1 .1 .3 .1 .2 .3";
+        "circle a 0.5 0.9 0.1\nellipse b 0.5 0.4 0.2 0.1 30\ncircle a 1.5 -0.1 0.1\n"
+        "polygon a .1 .1 .3 .1 .2 .3\nellipse b 0.5 1.4 0.2 0.1 210";
     options.tolerance = 1e-2;
     CHECK(pcvt_generate(&options, &result) == PCVT_OK);
     CHECK(pcvt_get_inclusions(result, &shapes, sizeof shapes) == PCVT_OK);

@@ -4,6 +4,7 @@ import csv
 import json
 import math
 import re
+from random import Random
 
 from support.cli import CliTest, main, outputs
 
@@ -104,6 +105,79 @@ class Inclusions(CliTest):
             self.path("fixed.txt").write_text("0.1 0.1\n")
             self.refuse_shapes(2, words, SHAPES, *options)
         self.refuse_shapes(2, "Delaunay", SHAPES, "--mesh", "delaunay", "-o", "t.msh")
+
+
+CORNERS = "".join(f"circle fibre {x} {y} 0.2\n" for x, y in ((0, 0), (1, 0), (0, 1), (1, 1), (0.5, 0.5)))
+
+
+class ListedImages(CliTest):
+    """Shapes that a file lists together with their images."""
+
+    def mesh(self, shapes, *arguments, lattice="1,0,0,1"):
+        self.path("shapes.txt").write_text(shapes)
+        return self.succeed("mesh", "--lattice", lattice, "--sites", 300, "--tolerance", "1e-2", "--inclusions", "shapes.txt",
+                            "--force", *arguments, *outputs("obj", "txt", "vtu"))
+
+    def files(self):
+        return [self.path(f"t.{extension}").read_bytes() for extension in ("obj", "txt", "vtu")]
+
+    def image(self, line, lattice, random):
+        """A random image of a shape, whose ellipse or polygon is written in another way."""
+        word, tag, *numbers = line.split()
+        numbers = [float(number) for number in numbers]
+        i, j = random.randint(-2, 2), random.randint(-2, 2)
+        pairs = len(numbers) if word == "polygon" else 2
+        for k in range(pairs):
+            numbers[k] += i * lattice[k % 2] + j * lattice[2 + k % 2]
+        if word == "ellipse":
+            numbers[4] += random.choice((-180, 0, 180))
+        if word == "polygon":
+            first = 2 * random.randrange(pairs // 2)
+            numbers = numbers[first:] + numbers[:first]
+        return " ".join([word, tag, *map(repr, numbers)])
+
+    def test_they_do_not_change_a_byte(self):
+        random = Random(1)
+        for lattice in ("1,0,0,1", "1,0,0.37,1.21", "1.3,0.2,0.1,0.9"):
+            periods = [float(number) for number in lattice.split(",")]
+            lines = [line for line in SHAPES.splitlines() if not line.startswith("#")]
+            self.mesh("\n".join(lines), lattice=lattice)
+            once = self.files()
+            images = [self.image(line, periods, random) for line in lines for _ in range(random.randint(0, 8))]
+            random.shuffle(images)
+            text = self.mesh("\n".join(lines + images), "--report", "r.json", lattice=lattice)
+            self.assertTrue(self.files() == once, lattice)
+            self.assertIn(f"inclusions 3 shapes ({len(images)} listed images left out), ", text)
+            stated = json.loads(self.path("r.json").read_text())["inclusions"]
+            self.assertEqual((stated["shapes"], stated["images_left_out"]), (3, len(images)))
+            text = self.succeed("check", "t.obj", "--inclusions", "shapes.txt")
+            self.assertIn(f"3 inclusions of shapes.txt ({len(images)} listed images left out) with ", text)
+
+    def test_a_circle_at_each_corner_is_one(self):
+        self.assertIn("inclusions 2 shapes (3 listed images left out), ", self.mesh(CORNERS))
+        self.succeed("mesh", "--sites", 300, "--tolerance", "1e-2", "--inclusions", "shapes.txt", "--repeat", "2x3", "-o", "many.obj")
+        self.assertIn("2 inclusions of shapes.txt (3 listed images left out) with ",
+                      self.succeed("check", "many.obj", "--inclusions", "shapes.txt"))
+
+    def test_without_them_nothing_is_said(self):
+        text = self.mesh(SHAPES, "--report", "r.json")
+        self.assertNotIn("image", text + self.path("r.json").read_text())
+        self.assertNotIn("image", self.succeed("check", "t.obj", "--inclusions", "shapes.txt"))
+
+    def test_along_walls_only(self):
+        shapes = "circle a 0 0.5 0.2\ncircle a 1 0.5 0.2\n"
+        self.assertIn("1 shape (1 listed image left out), ", self.mesh(shapes, "--walls", "y"))
+        self.succeed("check", "t.obj", "--inclusions", "shapes.txt")
+        for y in (1.5, 2.5):
+            self.path("shapes.txt").write_text(f"circle a 0.5 0.5 0.2\ncircle a 0.5 {y} 0.2\n")
+            self.refuse(2, r"shapes\.txt:2: the shape touches or crosses wall_top", "mesh", "--sites", 300, "--walls", "y",
+                        "--inclusions", "shapes.txt", "-o", "new.obj")
+
+    def test_with_another_tag_or_size_they_are_refused(self):
+        for line, words in (("circle other 1 1 0.2", "the shape is an image of that of line 1 with another tag; give both"),
+                            ("circle fibre 1 0 0.1", "the shape lies on an image of that of line 1 but differs")):
+            self.path("shapes.txt").write_text(f"circle fibre 0 0 0.2\n{line}\n")
+            self.refuse(2, r"shapes\.txt:2: " + words, "mesh", "--sites", 300, "--inclusions", "shapes.txt", "-o", "new.obj")
 
 
 INSIDE = ("circle glass 0.95 0.75 0.15\n"

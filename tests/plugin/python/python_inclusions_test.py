@@ -31,6 +31,13 @@ class Inclusions(unittest.TestCase):
     def test_text_gives_the_same_sites(self):
         np.testing.assert_array_equal(mesh(inclusions=SHAPES).sites, mesh(inclusions=TEXT).sites)
 
+    def test_listed_images_are_left_out(self):
+        result = mesh(inclusions=[*SHAPES, ("circle", "glass", -0.05, -0.1, 0.15), ("polygon", "glass", CORNERS + (1, 2))])
+        np.testing.assert_array_equal(result.sites, mesh(inclusions=SHAPES).sites)
+        self.assertEqual(len(result.inclusions), 3)
+        with self.assertRaisesRegex(pcvt.ArgumentError, "inclusions:4: the shape is an image of that of line 1 with another tag"):
+            mesh(inclusions=[*SHAPES, ("circle", "steel", 1.95, 0.9, 0.15)])
+
     def test_fibres_have_their_area(self):
         result = mesh(1500, fibres=(0.4, 12), seed=3)
         self.assertEqual(result.phase_names, ("matrix", "fibre"))
