@@ -14,6 +14,8 @@ namespace pcvt::plane {
 namespace {
 
 constexpr std::size_t kMostNamed = EmptyCells::kMostNamed;
+/// In squares of MovingDelaunay::unit(); products of weights below this do not overflow.
+constexpr double kLargestWeight = 1e150;
 
 /// The weights of sites in the order and the unit of their triangulation.
 Eigen::VectorXd ordered_weights(const MovingDelaunay& delaunay, const Eigen::VectorXd& weights) {
@@ -37,22 +39,21 @@ std::optional<SiteId> hidden_site(const MovingDelaunay& delaunay, const Eigen::V
 
 /// Sites without cells, at most kMostNamed: a hidden site that is left out changes no cell, so that
 /// the next one is found among the others.
-/// @param first  one of them.
-std::vector<SiteId> hidden_sites(const Sites& sites, Eigen::VectorXd weights, SiteId first) {
+std::vector<SiteId> hidden_sites(const Sites& sites, const Eigen::VectorXd& weights) {
     std::vector<SiteId> kept(static_cast<std::size_t>(sites.n_sites()));
     std::iota(kept.begin(), kept.end(), 0);
     std::vector<SiteId> hidden;
-    for (std::optional<SiteId> next = first; next;) {
-        hidden.push_back(kept[*next]);
-        kept.erase(kept.begin() + *next);
-        if (hidden.size() == kMostNamed || kept.empty()) break;
+    while (hidden.size() < kMostNamed) {
         Points points(2, std::ssize(kept));
         Eigen::VectorXd of_kept(points.cols());
         for (Eigen::Index k = 0; k < points.cols(); ++k) {
             points.col(k) = sites.position(kept[k]);
             of_kept[k] = weights[kept[k]];
         }
-        next = hidden_site(MovingDelaunay(Sites(sites.lattice(), points)), of_kept);
+        const auto next = hidden_site(MovingDelaunay(Sites(sites.lattice(), points)), of_kept);
+        if (!next) break;
+        hidden.push_back(kept[*next]);
+        kept.erase(kept.begin() + *next);
     }
     std::sort(hidden.begin(), hidden.end());
     return hidden;
@@ -74,14 +75,14 @@ RunStatistics measured_run(const MovingDelaunay& delaunay, const PowerDiagram& d
 CvtResult cells_of(const Sites& sites, const Eigen::VectorXd& weights, const RunOptions& run) {
     MovingDelaunay delaunay(sites);
     require_distinct(delaunay);
+    const Eigen::VectorXd ordered = ordered_weights(delaunay, weights);
+    if (!(ordered.cwiseAbs().maxCoeff() < kLargestWeight)) {
+        throw InvalidInput("the weights are too large for the periods; scale them");
+    }
     Workers workers(run.n_threads);
     PowerDiagram diagram(delaunay, workers);
     diagram.start();
-    if (!diagram.set_weights(ordered_weights(delaunay, weights))) {
-        const auto hidden = hidden_site(delaunay, weights);
-        if (!hidden) throw InvalidInput("the weights are too large for the periods; scale them");
-        throw EmptyCells(hidden_sites(sites, weights, *hidden));
-    }
+    if (!diagram.set_weights(ordered)) throw EmptyCells(hidden_sites(sites, weights));
     const RunStatistics measured = measured_run(delaunay, diagram, run.tolerance, workers);
     const DelaunayCounts counts = delaunay.counts();
     return {.delaunay = weighted_delaunay(delaunay.release(), weights),

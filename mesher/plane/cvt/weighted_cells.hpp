@@ -24,7 +24,8 @@ namespace pcvt::plane {
 /// @param points   2 x n, length units; need not be wrapped.
 /// @param weights  of each point, length^2.
 /// @param run      the tolerance that decides whether the run has converged, and the threads.
-/// @throws InvalidInput  unless there is one finite weight for each point; EmptyCells.
+/// @throws InvalidInput  unless there is one finite weight for each point, below 1e150 mean areas
+///         or so; EmptyCells.
 /// @throws InvalidInput and DuplicateSites as Sites and require_distinct do.
 CvtResult weighted_cells(const Lattice& lattice, const Points& points,
                          const Eigen::VectorXd& weights, const RunOptions& run);
