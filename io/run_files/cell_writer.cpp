@@ -10,7 +10,8 @@ constexpr const char* kHead =
     "# The Voronoi cells of one period, written by pcvt; lengths in the unit of the period "
     "vectors\n"
     "# diameter = 2 sqrt(area / pi); circularity = 2 sqrt(pi area) / perimeter\n"
-    "# sides, neighbours: edges longer than 1e-5 sqrt(mean area), counter-clockwise\n";
+    "# sides, neighbours: edges longer than 1e-5 sqrt(mean area), counter-clockwise\n"
+    "# weight: length squared; phi1, Phi, phi2: Bunge's angles in degrees\n";
 
 }  // namespace
 

@@ -52,6 +52,13 @@ TEST(CellRows, AreReadBack) {
     }
 }
 
+TEST(CellRows, TheHeadStatesTheUnits) {
+    const std::string text = encode_cells(example_rows(true, true));
+    EXPECT_THAT(text, ::testing::HasSubstr("lengths in the unit of the period vectors\n"));
+    EXPECT_THAT(text, ::testing::HasSubstr("\n# weight: length squared; phi1, Phi, phi2: Bunge's "
+                                           "angles in degrees\nsite,x,y,weight,"));
+}
+
 TEST(CellRows, OtherOrbitsAreFound) {
     const CellRows rows = example_rows(true, true);
     CellRows other = rows;
