@@ -77,8 +77,8 @@ void require_held(const Format& format, const FormatRequest& content, const RunR
                   const std::string& path) {
     if (format.needs_torus() && (content.has_weights || run.has_metric)) {
         throw InvalidInput(path +
-                           ": the grid needs Voronoi cells; leave areas and aspect out, or take "
-                           "another format, such as .vtu");
+                           ": the grid needs Voronoi cells; leave areas, weights and aspect out, "
+                           "or take another format, such as .vtu");
     }
     if (format.check != nullptr) naming_path(path, [&] { format.check(content); });
     // Beside a mesh of cells, the file of the triangles may lack what belongs to cells.

@@ -26,9 +26,18 @@ std::size_t phase_column(TableScanner& scanner, const TableName& name) {
     if (!name.columns.empty()) return scanner.choose(name.columns).front();
     if (scanner.n_columns() == 1) return 0;
     if (const auto found = find_phase_column(scanner)) return *found;
-    scanner.refuse_header(
-        "the table has several columns; name that of the phases, such as " +
-        with_columns(name, "", scanner.has_header() ? scanner.header().back().name : "2"));
+    scanner.refuse_header("the table has several columns; name that of the phases, such as " +
+                          with_columns(name, "",
+                                       scanner.has_header() ? scanner.header().back().name
+                                                            : std::to_string(scanner.n_columns())));
+}
+
+/// Whether the first word is a phase: a single column of words begins with a header only if that
+/// is a word for phases, or the column that is named.
+bool is_list(const TableScanner& scanner, const TableName& name) {
+    if (scanner.n_columns() != 1 || !scanner.has_header() || find_phase_column(scanner))
+        return false;
+    return name.columns.size() != 1 || !scanner.find(name.columns.front());
 }
 
 /// The index of a phase among those that are known, to which it is added.
@@ -61,13 +70,17 @@ PhaseFile parse_phase_table(const TableName& name, std::string_view text) {
     PhaseFile file;
     PhaseNames names(file.names);
     TableScanner scanner(name.path, text);
-    // A single column of words begins with a header only if that is one of the words below.
-    if (scanner.n_columns() == 1 && scanner.has_header() && !find_phase_column(scanner)) {
-        scanner = TableScanner(name.path, text, false);
-    }
+    if (is_list(scanner, name)) scanner = TableScanner(name.path, text, false);
     if (scanner.n_columns() > 0) {
         const std::size_t column = phase_column(scanner, name);
-        while (scanner.next()) file.site_phases.push_back(names.index_of(scanner, column));
+        while (scanner.next()) {
+            // Without a header and a named column the scanner admits rows of other widths.
+            if (name.columns.empty() && !scanner.has_header() && scanner.fields().size() > 1) {
+                scanner.refuse("this line has " + std::to_string(scanner.fields().size()) +
+                               " words; write one phase a line");
+            }
+            file.site_phases.push_back(names.index_of(scanner, column));
+        }
     }
     if (file.site_phases.empty()) {
         throw BadFile(name.path + ": holds no phase; give one a line, one for each site");

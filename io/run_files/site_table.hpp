@@ -12,11 +12,18 @@
 
 namespace pcvt {
 
+/// Which quantities of a table of sites count; without one of them, its column may hold anything.
+struct SiteColumns {
+    bool weights = true;
+    bool phases = true;
+    bool orientations = true;
+};
+
 /// The sites of a table, and the quantities of each that its header names beside the coordinates:
 /// so that a table of cells (cell_writer.hpp) gives the same cells again.
 ///
 /// Example usage:
-///     const SiteTable<2> table = read_site_table<2>(parse_table_name("cells.csv"));
+///     const SiteTable<2> table = read_site_table<2>(parse_table_name("cells.csv"), {});
 ///     if (table.weights) job.weights = {table.weights->weights, table.weights->description};
 template <int Dimension>
 struct SiteTable {
@@ -30,14 +37,15 @@ struct SiteTable {
 };
 
 /// Reads the sites as parse_sites() does. Without names of columns, takes the other quantities as
-/// well, if the first row has them; all rows have them then.
+/// well, each if a row has it; all rows must have it then. In space only the sites count.
 /// @throws BadFile as parse_sites(), parse_weights(), parse_phase_table() and parse_orientations()
 ///         do, and for weights in space.
 template <int Dimension>
-SiteTable<Dimension> parse_site_table(const TableName& name, std::string_view text);
+SiteTable<Dimension> parse_site_table(const TableName& name, std::string_view text,
+                                      const SiteColumns& wanted);
 
 /// Reads the table of a file, or of standard input if the path is "-".
 template <int Dimension>
-SiteTable<Dimension> read_site_table(const TableName& name);
+SiteTable<Dimension> read_site_table(const TableName& name, const SiteColumns& wanted);
 
 }  // namespace pcvt

@@ -1,5 +1,6 @@
 #include "io/run_files/weight_reader.hpp"
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -13,28 +14,87 @@ namespace {
 /// Lengths and weights whose squares are numbers.
 constexpr double kLargestLength = 1e150;
 
-/// A column, and the lengths that it holds in place of weights.
-struct WeightColumn {
-    std::size_t column = 0;
-    std::optional<SizeKind> lengths = {};
-};
+/// The quantity that a column holds.
+enum class WeightKind { kWeight, kRadius, kDiameter };
 
-bool is_weight(std::string_view column) {
-    const std::string name = comparable_name(column);
-    return name == "weight" || name == "weights";
+/// Words for a kind: the prefix of a file's name, the plural of its values, and the weights that
+/// come of them.
+struct WeightWords {
+    WeightKind kind;
+    std::string_view prefix;
+    const char* plural;
+    const char* description;
+};
+constexpr std::array<WeightWords, 3> kWeightWords{
+    {{WeightKind::kWeight, "weight", "weights", "lengths squared"},
+     {WeightKind::kRadius, "radius", "radii", "squared radii"},
+     {WeightKind::kDiameter, "diameter", "diameters", "squared halves of diameters"}}};
+
+const WeightWords& weight_words(WeightKind kind) {
+    return kWeightWords[static_cast<std::size_t>(kind)];
 }
 
-/// The kind that the name of a column states; refuses a name that states neither.
-WeightColumn stated_column(TableScanner& scanner, const TableName& name, std::size_t column) {
-    if (name.prefix == "weight") return {column};
-    if (name.prefix == "radius") return {column, SizeKind::kRadius};
-    if (name.prefix == "diameter") return {column, SizeKind::kDiameter};
-    if (!scanner.has_header() || is_weight(scanner.header()[column].name)) return {column};
-    const std::optional<SizeKind> size = stated_size(scanner.header()[column].name);
-    if (size == SizeKind::kRadius || size == SizeKind::kDiameter) return {column, size};
+struct WeightColumn {
+    std::size_t column = 0;
+    WeightKind kind = WeightKind::kWeight;
+};
+
+std::optional<WeightKind> prefix_kind(const std::string& prefix) {
+    for (const WeightWords& words : kWeightWords) {
+        if (words.prefix == prefix) return words.kind;
+    }
+    return std::nullopt;
+}
+
+/// The kind that a column's name in the header states.
+std::optional<WeightKind> stated_kind(std::string_view column) {
+    const std::string name = comparable_name(column);
+    if (name == "weight" || name == "weights") return WeightKind::kWeight;
+    const std::optional<SizeKind> size = stated_size(column);
+    if (size == SizeKind::kRadius) return WeightKind::kRadius;
+    if (size == SizeKind::kDiameter) return WeightKind::kDiameter;
+    return std::nullopt;
+}
+
+/// The kind of a column by the prefix and the header, of which one must state it.
+WeightColumn stated_column(const TableScanner& scanner, const TableName& name, std::size_t column) {
+    const std::optional<WeightKind> wanted = prefix_kind(name.prefix);
+    if (!scanner.has_header()) return {column, wanted.value_or(WeightKind::kWeight)};
+    const std::optional<WeightKind> stated = stated_kind(scanner.header()[column].name);
+    if (wanted && stated && wanted != stated) {
+        scanner.refuse_header(scanner.label(column) + " holds " + weight_words(*stated).plural +
+                              ", but the file is given as " + weight_words(*wanted).plural +
+                              "; remove " + name.prefix + ":");
+    }
+    if (wanted) return {column, *wanted};
+    if (stated) return {column, *stated};
     scanner.refuse_header(scanner.label(column) +
                           " could hold weights, radii or diameters; say which, such as " +
                           with_columns(name, "radius", scanner.header()[column].name));
+}
+
+/// The column of weights of a header; else the only one of radii or diameters. A prefix admits
+/// columns of its kind only.
+std::size_t find_in_header(const TableScanner& scanner, const TableName& name) {
+    const std::optional<WeightKind> wanted = prefix_kind(name.prefix);
+    if (!wanted || wanted == WeightKind::kWeight) {
+        if (const auto column = scanner.find("weight")) return *column;
+    }
+    std::optional<std::size_t> only;
+    for (std::size_t k = 0; k < scanner.header().size(); ++k) {
+        const std::optional<WeightKind> kind = stated_kind(scanner.header()[k].name);
+        if (!kind || (wanted && kind != wanted)) continue;
+        if (only) {
+            scanner.refuse_header("several columns may hold the radii; name one, such as " +
+                                  with_columns(name, name.prefix, scanner.header()[k].name));
+        }
+        only = k;
+    }
+    if (only) return *only;
+    scanner.refuse_header(
+        "none of the columns " + scanner.listed_columns() + " states " +
+        (wanted ? weight_words(*wanted).plural : "weights or radii") + "; name one, such as " +
+        with_columns(name, wanted ? name.prefix : "radius", scanner.header().back().name));
 }
 
 WeightColumn find_weights(TableScanner& scanner, const TableName& name) {
@@ -48,23 +108,9 @@ WeightColumn find_weights(TableScanner& scanner, const TableName& name) {
     if (scanner.n_columns() == 1) return stated_column(scanner, name, 0);
     if (!scanner.has_header()) {
         scanner.refuse_header("the table has several columns; name that of the weights, such as " +
-                              with_columns(name, name.prefix, "3"));
+                              with_columns(name, name.prefix, std::to_string(scanner.n_columns())));
     }
-    if (const auto column = scanner.find("weight")) return stated_column(scanner, name, *column);
-    std::optional<std::size_t> only;
-    for (std::size_t k = 0; k < scanner.header().size(); ++k) {
-        const std::optional<SizeKind> size = stated_size(scanner.header()[k].name);
-        if (size != SizeKind::kRadius && size != SizeKind::kDiameter) continue;
-        if (only) {
-            scanner.refuse_header("several columns may hold the radii; name one, such as " +
-                                  with_columns(name, name.prefix, scanner.header()[k].name));
-        }
-        only = k;
-    }
-    if (only) return stated_column(scanner, name, *only);
-    scanner.refuse_header("none of the columns " + scanner.listed_columns() +
-                          " states weights or radii; name one, such as " +
-                          with_columns(name, "radius", scanner.header().back().name));
+    return stated_column(scanner, name, find_in_header(scanner, name));
 }
 
 double weight_of_length(TableScanner& scanner, const WeightColumn& found) {
@@ -73,21 +119,21 @@ double weight_of_length(TableScanner& scanner, const WeightColumn& found) {
     if (!(std::abs(number) < kLargestLength)) {
         scanner.refuse(found.column, in_quotes(field) + " is too large; give a number below 1e150");
     }
-    if (!found.lengths) return number;
+    if (found.kind == WeightKind::kWeight) return number;
     if (number < 0) {
         scanner.refuse(found.column, in_quotes(field) + " is negative; give a length from 0 on");
     }
-    const double radius = *found.lengths == SizeKind::kDiameter ? number / 2 : number;
+    const double radius = found.kind == WeightKind::kDiameter ? number / 2 : number;
     return radius * radius;
 }
 
 std::string weight_description(const TableScanner& scanner, const TableName& name,
                                const WeightColumn& found) {
-    std::string text = !found.lengths                        ? "lengths squared"
-                       : *found.lengths == SizeKind::kRadius ? "squared radii"
-                                                             : "squared halves of diameters";
-    if (scanner.has_header()) {
-        const TableColumn& column = scanner.header()[found.column];
+    std::string text = weight_words(found.kind).description;
+    if (scanner.has_header() || !name.columns.empty()) {
+        const TableColumn column = scanner.has_header()
+                                       ? scanner.header()[found.column]
+                                       : TableColumn{.name = std::to_string(found.column + 1)};
         const std::string quoted = in_quotes(column.name);
         text += " of column " + quoted.substr(1, quoted.size() - 2) +
                 (column.unit.empty() ? "" : " (" + column.unit + ")");
@@ -109,6 +155,12 @@ WeightFile parse_weights(const TableName& name, std::string_view text) {
     if (scanner.n_columns() > 0) {
         const WeightColumn found = find_weights(scanner, name);
         while (scanner.next()) {
+            // Without a header and a named column the scanner admits rows of other widths.
+            if (const std::size_t n = scanner.fields().size();
+                name.columns.empty() && !scanner.has_header() && n > 1) {
+                scanner.refuse("this line has " + std::to_string(n) +
+                               " words; write one weight a line");
+            }
             weights.push_back(weight_of_length(scanner, found));
             file.lines.push_back(scanner.line());
         }

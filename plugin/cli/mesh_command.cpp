@@ -13,8 +13,10 @@
 #include "plugin/cli/terminal/console.hpp"
 #include "plugin/cli/terminal/progress_display.hpp"
 #include "plugin/job/available_memory.hpp"
+#include "plugin/job/job_files.hpp"
 #include "plugin/job/job_memory.hpp"
 #include "plugin/job/job_start.hpp"
+#include "plugin/job/job_tessellation.hpp"
 #include "plugin/job/run_job.hpp"
 
 namespace pcvt::cli {
@@ -66,15 +68,14 @@ RunSummary run_watched(const Job& job, bool quiet) {
 }
 
 /// Names the sites without a cell by their lines in the file.
-template <class File>
-BadFile empty_cell_lines(const File& file, const EmptyCells& empty) {
+BadFile empty_cell_lines(const std::string& name, const std::vector<int>& line_of,
+                         const EmptyCells& empty) {
     std::string lines;
     for (const SiteId s : empty.sites()) {
-        lines += (lines.empty() ? "" : ", ") + std::to_string(file.lines[std::size_t(s)]);
+        lines += (lines.empty() ? "" : ", ") + std::to_string(line_of[std::size_t(s)]);
     }
     const bool is_one = empty.sites().size() == 1;
-    return BadFile(file.name + ":" +
-                   std::to_string(file.lines[std::size_t(empty.sites().front())]) + ": " +
+    return BadFile(name + ":" + std::to_string(line_of[std::size_t(empty.sites().front())]) + ": " +
                    (is_one ? "the cell of this site is" : "the cells of these sites are") +
                    " empty, because the weights of others reach over " + (is_one ? "it" : "them") +
                    (is_one ? "" : ": lines " + lines) + "; remove the " +
@@ -93,8 +94,7 @@ RunSummary run_distinct(Job& job, const File& file, bool quiet) {
         if (!job.dropped.sites.empty()) throw;
         throw duplicate_lines(file, duplicate);
     } catch (const EmptyCells& empty) {
-        if (!job.dropped.sites.empty()) throw;
-        throw empty_cell_lines(file, empty);
+        throw empty_cell_lines(file.name, job.lines, empty);
     }
 }
 
@@ -123,22 +123,52 @@ void require_all_sites(Job& job) {
                                  "of sites, and their areas"));
 }
 
-/// Takes the quantities of each site that the table of the sites has; options win over them.
-template <int kDimension>
-void take_columns(const SiteTable<kDimension>& table, Job& job) {
-    if (kDimension == 3) return;
-    if (table.weights && !job.weights) {
-        if (job.run.max_iterations != 0) {
-            throw BadFile(table.sites.name +
-                          ": the sites have weights, whose cells keep them where they are; add "
-                          "--max-iterations 0, or take only the positions, --input " +
-                          table.sites.name + ":x,y");
-        }
-        job.weights = GivenWeights{table.weights->weights, table.weights->description};
+/// The columns of the table of the sites that count: options win over them.
+SiteColumns wanted_columns(const Job& job, const MeshOptions& options) {
+    return {.weights = options.cells.weights.empty() && !job.areas,
+            .phases = job.materials.phases.empty() && !job.has_inclusions(),
+            .orientations = !job.materials.has_orientations() && !job.has_inclusions()};
+}
+
+/// Takes the weights of a table, unless an option of the job excludes them.
+void take_weights(const WeightFile& weights, const std::string& input, Job& job) {
+    const char* const fault =
+        job.run.max_iterations != 0
+            ? ", whose cells keep them where they are; add --max-iterations 0, or take"
+        : job.density || job.stability
+            ? ", which do not work with --density or --stability; leave these out, or take"
+            : nullptr;
+    if (fault != nullptr) {
+        throw BadFile(weights.name + ": the sites have weights" + fault +
+                      " only the positions, --input " + input + ":x,y");
     }
-    if (job.has_inclusions()) return;
-    if (table.phases && job.materials.phases.empty()) set_phases(*table.phases, job.materials);
-    if (!job.materials.has_orientations()) job.materials.orientations = table.orientations;
+    job.weights = GivenWeights{weights.weights, weights.description};
+}
+
+/// Whether the outputs of the job hold its materials.
+bool are_materials_held(const Job& job) {
+    try {
+        check_file_options(job, plan_files(job), file_phases(job));
+    } catch (const InvalidInput&) {
+        return false;
+    }
+    return true;
+}
+
+/// Takes the quantities of each site that the table of the sites has. Nobody has chosen its phases
+/// and orientations, so that outputs may lack them.
+template <int kDimension>
+void take_columns(const SiteTable<kDimension>& table, const std::string& input, Job& job) {
+    if (table.weights) take_weights(*table.weights, input, job);
+    MaterialChoices chosen = job.materials;
+    if (table.phases) {
+        set_phases(*table.phases, job.materials);
+        if (!are_materials_held(job)) job.materials = chosen;
+    }
+    chosen = job.materials;
+    if (table.orientations.empty()) return;
+    job.materials.orientations = table.orientations;
+    if (!are_materials_held(job)) job.materials = chosen;
 }
 
 /// Reads the files that the job names, and runs it.
@@ -154,11 +184,11 @@ RunSummary run_in(Domain& domain, Job& job, const MeshOptions& options) {
                                        : run_watched(job, options.quiet);
     }
     const SiteTable<kDimension> table =
-        read_site_table<kDimension>(parse_table_name(options.input));
+        read_site_table<kDimension>(parse_table_name(options.input), wanted_columns(job, options));
     const SiteFileOf<kDimension>& file = table.sites;
     domain.points = file.points;
     job.lines = file.lines;
-    take_columns(table, job);
+    take_columns(table, options.input, job);
     read_area_file(job);
     read_weight_file(options.cells, job);
     if (options.period == "auto" && job.areas) require_all_sites(job);

@@ -12,11 +12,17 @@
 namespace pcvt::cli {
 namespace {
 
+/// Whether there is a file, which is not a folder, so that a phase may have the name of a folder.
+bool is_a_file(const std::string& path) {
+    std::error_code unknown;
+    return std::filesystem::exists(path, unknown) && !std::filesystem::is_directory(path, unknown);
+}
+
 /// A file that exists wins over fractions.
 void read_phase_choice(const std::string& text, MaterialChoices& choices,
                        std::vector<std::string>& inputs) {
     const TableName table = parse_table_name(text);
-    if (std::filesystem::exists(table.path)) {
+    if (is_a_file(table.path)) {
         set_phases(read_phases(table), choices);
         inputs.push_back(table.path);
         return;
@@ -24,11 +30,15 @@ void read_phase_choice(const std::string& text, MaterialChoices& choices,
     try {
         choices.phases = parse_phases(text);
     } catch (const InvalidInput& error) {
-        throw InvalidInput("--phases " + in_quotes(text) + ": " + error.what());
+        const bool may_be_file =
+            text.substr(0, text.find(':')).find_first_of("./") != std::string::npos;
+        throw InvalidInput("--phases " + in_quotes(text) + ": " + error.what() +
+                           (may_be_file ? "; there is no file of that name" : ""));
     }
 }
 
 }  // namespace
+
 void add_material_options(CLI::App& app, MaterialOptions& options) {
     app.option_defaults()->group("Materials");
     app.add_option("--phases", options.phases,

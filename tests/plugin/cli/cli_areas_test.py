@@ -162,8 +162,8 @@ class PrescribedAreas(AreaTest):
         self.refuse(2, "take coarse or random", *areas, "--start", "lattice")
         self.refuse(2, "leave --solver out", *areas, "--solver", "newton")
         self.refuse(2, "leave one of them out", *areas, "--stability")
-        self.refuse(2, "t.nc.*leave areas and aspect out", *areas, "-o", "t.nc")
-        self.refuse(2, "t.nc.*leave areas and aspect out", "mesh", "--sites", 50, "--aspect", 2, "-o", "t.nc")
+        self.refuse(2, "t.nc.*leave areas, weights and aspect out", *areas, "-o", "t.nc")
+        self.refuse(2, "t.nc.*leave areas, weights and aspect out", "mesh", "--sites", 50, "--aspect", 2, "-o", "t.nc")
         self.refuse(2, "--retry", *areas, "--retry", 3)
 
     def test_impossible_laws_are_refused(self):

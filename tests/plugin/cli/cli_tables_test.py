@@ -52,9 +52,13 @@ class Forms(TableTest):
                 self.assertAlmostEqual(float(still["x"]), wanted[0], 12)
                 self.assertAlmostEqual(float(row["area"]), area / sum(circles), 9)
                 self.assertEqual(tuple(float(row[k]) for k in ("phi1", "Phi", "phi2")), wanted[3:])
+            rows = self.cells("--input", f"{name}:2,3", "--weights", f"diameter:{name}:3", "--phases", f"{name}:1")
+            for k, (row, wanted) in enumerate(zip(rows, ROWS, strict=True)):
+                self.assertAlmostEqual(float(row["weight"]), wanted[1] ** 2 / 4, 15)
+                self.assertEqual(row["phase"], str(k + 1))
             n += 1
         self.assertEqual(n, 72)
-        self.assertEqual(self.cells("--input", plain), self.cells("--input", sites))
+        self.assertEqual(self.cells("--input", plain), self.cells("--input", f"{name}:2,3"))
 
     def test_space_has_a_third_coordinate(self):
         self.write("p.csv", "id,x,y,z\n1,0.1,0.2,0.3\n2,0.5,0.6,0.7\n3,0.2,0.9,0.4\n4,0.7,0.1,0.8\n")
