@@ -99,6 +99,17 @@ def check_sizes(folder, _):
     require_near(roundness, 0.90, 0.005, "the mean circularity")
 
 
+def check_laguerre(folder, _):
+    require_files(folder, "laguerre.svg")
+    tables = []
+    for name in ("laguerre.csv", "again.csv"):
+        with open(folder / name, encoding="ascii") as lines:
+            tables.append(list(csv.DictReader(line for line in lines if not line.startswith("#"))))
+    for row, again, radius in zip(*tables, (0.20, 0.28, 0.25, 0.15), strict=True):
+        require_near(float(row["weight"]), radius**2, 1e-15, "a weight")
+        require_near(float(again["area"]), float(row["area"]), 1e-13, "an area")
+
+
 def check_voxels(folder, text):
     require(re.search(r"^grains\.vti: ", text, re.M), "check does not accept grains.vti")
     counts, _, _, materials = read_vti((folder / "grains.vti").read_text())
@@ -343,6 +354,7 @@ ROWS = {
     ("Densities", "Formulas and pictures"): Row(check_graded),
     ("Grain sizes", ""): Row(),
     ("Grain sizes", "A law of grain sizes"): Row(check_sizes),
+    ("Grain sizes", "Laguerre cells of points and radii"): Row(check_laguerre),
     ("Phases and orientations", ""): Row(),
     ("Phases and orientations", "Stresses in a polycrystal"): Row(check_stresses, programs=("ccx",)),
     ("Phases and orientations", "Conductivities of phases by name"): Row(check_conductivities, programs=("gmsh", "getdp")),
