@@ -47,9 +47,16 @@ std::string_view field_name(std::string_view option, std::array<char, kLongestTe
     return {room.data(), option.size()};
 }
 
-/// Replaces the names of options in the message: --wall-cells by wall_cells, --size by grain_size.
+/// The option of the command that names an output; hosts give the path as an argument.
+constexpr std::string_view kOutputOption = "-o ";
+
+/// Replaces the names of options in the message: --wall-cells by wall_cells, --size by grain_size,
+/// "-o tile.obj: ..." by "tile.obj: ...".
 void name_fields() {
-    const std::string_view text = text_of_thread;
+    std::string_view text = text_of_thread;
+    if (text.substr(0, kOutputOption.size()) == kOutputOption) {
+        text.remove_prefix(kOutputOption.size());
+    }
     std::array<char, kLongestText> result;
     std::array<char, kLongestText> room;
     std::size_t n = 0;
@@ -71,6 +78,13 @@ void name_fields() {
     std::memcpy(text_of_thread, result.data(), n + 1);
 }
 
+/// Notes a message that names options of a job.
+pcvt_status note_job(pcvt_status status, const char* text) {
+    note(status, text);
+    name_fields();
+    return status;
+}
+
 }  // namespace
 
 const char* last_error() { return text_of_thread; }
@@ -90,17 +104,15 @@ pcvt_status note_failure(const std::exception_ptr& exception) noexcept {
     } catch (const plane::BadDensity& error) {
         return note(PCVT_ERROR_DOMAIN, error.what());
     } catch (const BadGeometry& error) {
-        return note(PCVT_ERROR_GEOMETRY, error.what());
+        return note_job(PCVT_ERROR_GEOMETRY, error.what());
     } catch (const DuplicateSites& error) {
         return note(PCVT_ERROR_GEOMETRY, error.what());
     } catch (const EmptyCells& error) {
         return note(PCVT_ERROR_GEOMETRY, error.what());
     } catch (const UnsuitableCells& error) {
-        return note(PCVT_ERROR_GEOMETRY, error.what());
+        return note_job(PCVT_ERROR_GEOMETRY, error.what());
     } catch (const InvalidInput& error) {
-        note(PCVT_ERROR_ARGUMENT, error.what());
-        name_fields();
-        return PCVT_ERROR_ARGUMENT;
+        return note_job(PCVT_ERROR_ARGUMENT, error.what());
     } catch (const OutputExists& error) {
         return note(PCVT_ERROR_IO, error.what(), "; set replace");
     } catch (const OutputError& error) {

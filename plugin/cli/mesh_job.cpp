@@ -154,7 +154,11 @@ void read_grains(const CLI::App& app, const MeshOptions& options, Job& job) {
     if (app.count("--size") > 0 && app.count("--per-edge") > 0) {
         throw InvalidInput("--per-edge replaces --size; leave one of them out");
     }
-    if (app.count("--order") > 0) job.tile.order = whole_number("--order", options.order, 1, 2);
+    if (app.count("--order") == 0) return;
+    if (options.order != "1" && options.order != "2") {
+        throw InvalidInput("--order " + options.order + ": unknown; take 1 or 2");
+    }
+    job.tile.order = options.order == "2" ? 2 : 1;
 }
 
 void read_run(const CLI::App& app, const MeshOptions& options, Job& job) {

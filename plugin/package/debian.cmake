@@ -16,7 +16,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME pcvt)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION math)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
-  "The command pcvt and the library libpcvt make meshes that repeat without a seam.")
+  "The command pcvt and the library libpcvt make meshes of the plane and of space that repeat without a seam.")
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME pcvt-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)

@@ -8,6 +8,7 @@
     np.allclose(tile.points[seam["w0"]], tile.points[seam["v0"]] + move)    # True
     result.write("tile.glb")
     result.plot()                                # needs matplotlib
+    pcvt.pattern(56).write("pattern.svg")        # the best exact lattice: all cells are alike
 
 With three periods the cells are polyhedra:
 
@@ -34,20 +35,26 @@ except ModuleNotFoundError as missing:
 from ._callbacks import Progress
 from ._library import (ArgumentError, Cancelled, DensityError, Error, GeometryError, LimitError, OutputError,
                        library)
-from ._mesh import mesh, space
+from ._mesh import mesh, pattern, space
 from ._result import Result
 from ._space import SpaceResult, SpaceTile
 from ._views import Statistics, Tile, TorusMesh
 
-__all__ = ["mesh", "space", "version", "Result", "Tile", "TorusMesh", "SpaceResult", "SpaceTile", "Statistics",
-           "Progress", "Error", "Cancelled", "ArgumentError", "DensityError", "GeometryError", "LimitError",
-           "OutputError"]
+__all__ = ["mesh", "pattern", "space", "version", "Result", "Tile", "TorusMesh", "SpaceResult", "SpaceTile",
+           "Statistics", "Progress", "Error", "Cancelled", "ArgumentError", "DensityError", "GeometryError",
+           "LimitError", "OutputError"]
 
 
 def version():
     """"major.minor.patch" of the library."""
     return library.pcvt_version().decode()
 
+
+def __dir__():
+    return sorted([*__all__, "__version__"])
+
+
+__version__ = version()
 
 for _name in __all__:  # Messages show the public name.
     globals()[_name].__module__ = __name__

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ._shown import one_line
 
 PHASES = ("start", "optimise", "build", "prove", "write")
 
@@ -28,6 +29,12 @@ class Progress(NamedTuple):
     phase: str
     fraction: float
     phase_text: str
+
+    @one_line
+    def __repr__(self):
+        if self.phase == "optimise":
+            return f"{self.phase_text}, iteration {self.iteration}, residual {self.residual:.2g}"
+        return self.phase_text + (f", {self.fraction:.0%}" if self.fraction >= 0 else "")
 
 
 def _copy(view):

@@ -104,6 +104,7 @@ def generated(options, density, progress):
         if callbacks.error is not None:
             raise callbacks.error
         checked(status)
+    handle.converged = status == _library.OK
     return handle
 
 

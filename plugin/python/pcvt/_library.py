@@ -41,7 +41,7 @@ class OutputError(Error, OSError):
     """A file exists or could not be written."""
 
 
-_CANCELLED = 1
+OK, _CANCELLED = 0, 1
 _ERRORS = {_CANCELLED: Cancelled, -1: ArgumentError, -3: DensityError, -4: LimitError,
            -5: GeometryError, -6: OutputError}
 
@@ -108,6 +108,7 @@ class Handle:
 
     def __init__(self, pointer):
         self.pointer = pointer
+        self.converged = False
         weakref.finalize(self, library.pcvt_free, pointer).atexit = False
 
     def view(self, get, kind, *choices):

@@ -7,6 +7,7 @@ from ._arguments import (period_vectors, refuse_plane_only, set_areas, set_fixed
 from ._calls import (choice, default_options, generated, require_numbers, set_doubles, set_fields, set_integers,
                      set_sites, shaped)
 from ._result import Result
+from ._shown import count
 from ._space import SpaceResult
 from ._structs import Options
 
@@ -125,7 +126,13 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     options.tolerance, options.grain_size = tolerance, grain_size
     options.short_edges = short_edges
     options.aspect, options.aspect_degrees = (aspect, 0) if np.ndim(aspect) == 0 else aspect
-    return (Result if dimension == 2 else SpaceResult)(generated(options, density, progress))
+    handle = generated(options, density, progress)
+    if dimension == 2:
+        return Result(handle, columns * rows)
+    known = [] if duplicates == "drop" else [count(options.n_sites, "site")]
+    if max_iterations != 0:
+        known.append("converged" if handle.converged else "not converged")
+    return SpaceResult(handle, ", ".join(known))
 
 
 def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="default", tolerance=1e-6,
@@ -144,3 +151,17 @@ def space(sites, lattice=None, *, period=None, seed=0, start="default", solver="
     return mesh(sites, lattice, period=period, seed=seed, start=start, solver=solver, tolerance=tolerance,
                 max_iterations=max_iterations, threads=threads, short_edges=short_edges, progress=progress,
                 duplicates=duplicates, **fields)
+
+
+def pattern(sites, lattice=None, *, period=None, **options):
+    """Calls mesh() with start="lattice" and max_iterations=0: the best exact lattice for a number of sites, whose
+    cells are all alike. In the plane these are hexagons, as far as the period vectors allow it.
+
+        pcvt.pattern(56).write("pattern.svg")        # the command: pcvt pattern --sites 56 -o pattern.svg
+
+    sites    the number of sites
+    lattice, period
+             as in mesh(); three vectors: in space
+    options  other arguments of mesh(), such as origin, repeat or progress
+    """
+    return mesh(sites, lattice, period=period, start="lattice", max_iterations=0, **options)

@@ -9,6 +9,7 @@ from . import _structs
 from ._arguments import material_text
 from ._calls import choice, set_fields, set_integers, text, written
 from ._library import library
+from ._shown import MOST_SHOWN, one_line, outcome
 from ._views import Tile, TorusMesh, inclusions_of, minimum_of, statistics_of
 
 
@@ -33,8 +34,8 @@ class Result:
                 orbit and neighbours; fields that do not apply are NaN, or -1 as a phase or an orbit
     """
 
-    def __init__(self, handle):
-        self._handle = handle
+    def __init__(self, handle, n_domains=1):
+        self._handle, self._n_domains = handle, n_domains
         view = handle.view(library.pcvt_get_sites, _structs.Sites)
         self.lattice = np.array(view.lattice).reshape(2, 2)
         self.sites = handle.array(view.points, np.float64, view.n_sites, 2)
@@ -44,6 +45,14 @@ class Result:
         self.inclusions = inclusions_of(handle)
         self.orbits = handle.array(view.orbits, np.int32, view.n_sites)
         self.orientations = handle.array(view.orientations, np.float64, view.n_sites, 3)
+
+    @one_line
+    def __repr__(self):
+        return outcome(self.statistics)
+
+    def _repr_svg_(self):
+        """The tile of cells as notebooks show it; None above 20,000 cells, those of repeated domains included."""
+        return None if len(self.sites) * self._n_domains > MOST_SHOWN else self.tile()._repr_svg_()
 
     @property
     def statistics(self):

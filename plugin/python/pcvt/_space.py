@@ -7,6 +7,7 @@ import numpy as np
 from . import _structs
 from ._calls import choice, set_fields, text, written
 from ._library import library
+from ._shown import count, one_line, outcome
 from ._views import minimum_of, statistics_of
 
 
@@ -14,11 +15,18 @@ class SpaceResult:
     """An optimised periodic tessellation of space. It never changes.
 
     sites       (n, 3), wrapped into the domain of the reduced period vectors, as .txt files hold them
-    statistics  a Statistics; valences[k] cells have k faces, and the energy has the unit length^5
+    statistics  a Statistics; valences[k] cells have k faces, and the energy has the unit length^5. The first
+                use builds and proves the tile
     """
 
-    def __init__(self, handle):
-        self._handle = handle
+    def __init__(self, handle, known):
+        self._handle, self._known = handle, known
+        self._statistics = None
+
+    @one_line
+    def __repr__(self):
+        # The statistics count the faces, for which the library builds the tile.
+        return self._known if self._statistics is None else outcome(self._statistics)
 
     def _view(self):
         return self._handle.view(library.pcvt_get_cells, _structs.Cells)
@@ -30,7 +38,9 @@ class SpaceResult:
 
     @property
     def statistics(self):
-        return statistics_of(self._handle)
+        if self._statistics is None:
+            self._statistics = statistics_of(self._handle)
+        return self._statistics
 
     @property
     def minimum(self):
@@ -113,6 +123,11 @@ class SpaceTile:
         self.partner_offset = handle.array(view.partner_offset, np.int32, n_boundary, 3)
         self.volumes = handle.array(view.volumes, np.float64, n_cells)
         self.site_points = handle.array(view.site_points, np.float64, n_cells, 3)
+
+    @one_line
+    def __repr__(self):
+        return (f"{count(len(self.volumes), 'cell')}, {count(len(self.owner), 'face')}, {len(self.points)} points, "
+                f"{len(self.partner)} faces on the seam")
 
     def polygons(self):
         """The corners of each face, a list of n_faces copies of shape (k, 3)."""

@@ -1,11 +1,14 @@
 """The views of a result: statistics, the mesh on the torus, the tile with its seam."""
 
-from ctypes import byref, c_int32
+from ctypes import byref, c_int32, sizeof
 from typing import NamedTuple
 
 import numpy as np
 
 from . import _library, _structs
+from ._calls import written
+from ._library import Error
+from ._shown import MOST_SHOWN, count, one_line, outcome, svg_of
 from ._words import CHOICES
 
 KINDS = tuple(CHOICES[2]["mesh"])
@@ -83,6 +86,10 @@ class Statistics(NamedTuple):
     newton_steps: int
     dropped: np.ndarray
 
+    @one_line
+    def __repr__(self):
+        return f"{outcome(self)}, {count(self.iterations, 'iteration')}, energy {self.energy:.6g}"
+
 
 class TorusMesh:
     """Cells or triangles on the torus: one face and one vertex for all of its images.
@@ -114,6 +121,10 @@ class TorusMesh:
         self.site = handle.array(view.site, np.int32, n_sites)
         self.site_points = handle.array(view.site_points, np.float64, n_faces, 2)
 
+    @one_line
+    def __repr__(self):
+        return f"{self.kind}, {count(len(self.face_begin) - 1, 'face')}, {len(self.vertices)} vertices"
+
 
 class Tile:
     """One fundamental domain as an open disc, with the pairing of its boundary, the seam. With holes
@@ -142,6 +153,7 @@ class Tile:
 
     def __init__(self, handle, view):
         n_vertices, n_faces = view.n_vertices, view.n_faces
+        self._handle = handle
         self.kind = KINDS[view.kind]
         self.outline = OUTLINES[view.outline]
         self.lattice = np.array(view.lattice).reshape(2, 2)
@@ -158,6 +170,22 @@ class Tile:
         wall_edges = handle.array(view.wall_edges, WALL_EDGE, view.n_wall_edges)
         self.wall_edges = np.empty(0, WALL_EDGE) if wall_edges is None else wall_edges
         self.holes = [view.hole_names[k].decode() for k in range(view.n_holes)]
+
+    @one_line
+    def __repr__(self):
+        return (f"{self.kind}, outline {self.outline}, {count(len(self.face_begin) - 1, 'face')}, "
+                f"{len(self.points)} points, {count(len(self.seam), 'pair')} on the seam")
+
+    def _repr_svg_(self):
+        """The picture that notebooks show, as written to .svg files; None above 20,000 faces."""
+        if len(self.face_begin) - 1 > MOST_SHOWN:
+            return None
+        choices = {"kind": KINDS.index(self.kind), "outline": OUTLINES.index(self.outline)}
+        options = _structs.WriteOptions(struct_size=sizeof(_structs.WriteOptions), **choices)
+        try:
+            return svg_of(lambda path: written(self._handle, path, options, None))
+        except (Error, OSError):
+            return None
 
     def polygons(self):
         """The corners of each face, a list of n_faces copies of shape (k, 2)."""

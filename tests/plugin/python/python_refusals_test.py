@@ -69,6 +69,17 @@ class Refusals(unittest.TestCase):
         with self.assertRaises(TypeError):
             pcvt.space(10).write("a.png", pixels=2.5)
 
+    def test_refused_files_are_named_without_an_option(self):
+        solid = pcvt.space(38, start="lattice")
+        for error, result, path, fault in (
+                (pcvt.ArgumentError, pcvt.mesh(10), "t.xyz", "unknown extension"),
+                (pcvt.ArgumentError, pcvt.mesh(10), "t.msh", "the format has no polygons"),
+                (pcvt.GeometryError, pcvt.mesh(10, max_iterations=0), "t.nc", ".* degrees"),
+                (pcvt.ArgumentError, solid, "t.inp", ".inp does not support"),
+                (pcvt.GeometryError, solid, "t.msh", r"\d+ tetrahedra of these sites are flat")):
+            with self.subTest(path, kind=type(result)), self.assertRaisesRegex(error, f"^{path}: {fault}"):
+                result.write(path)
+
     def test_unwritable_files_name_the_path(self):
         with self.assertRaisesRegex(OSError, "/dev/null/tile.ply"):
             pcvt.mesh(10).write("/dev/null/tile.ply")
