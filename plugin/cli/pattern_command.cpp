@@ -27,7 +27,7 @@ constexpr const char* kForeign[] = {"--seed",      "--input",          "--start"
                                     "--density",   "--density-range",  "--areas",  "--retry",
                                     "--stability", "--symmetry",       "--walls",  "--wall-cells",
                                     "--fixed",     "--inclusions",     "--fibres", "--hole",
-                                    "--duplicates"};
+                                    "--duplicates", "--weights"};
 
 void require_pattern_options(const CLI::App& app) {
     for (const char* name : kForeign) {

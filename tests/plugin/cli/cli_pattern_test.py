@@ -78,7 +78,7 @@ class Pattern(CliTest):
     def test_options_of_the_optimiser_are_refused(self):
         for option in ("--seed", "--input", "--solver", "--tolerance", "--max-iterations",
                        "--start", "--density", "--areas", "--symmetry", "--walls", "--wall-cells", "--fixed",
-                       "--inclusions", "--fibres", "--hole", "--duplicates"):
+                       "--inclusions", "--fibres", "--hole", "--duplicates", "--weights"):
             self.refuse(2, option + " is not for pattern.*; leave it out", "pattern", "--sites", 3,
                         option, 1)
         self.refuse(2, "--period auto is not for pattern", "pattern", "--sites", 3, "--period", "auto")
