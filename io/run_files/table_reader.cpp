@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kMostListed = 12;
 constexpr std::string_view kStatedSeparator = "sep=";
+constexpr std::string_view kLammpsDump = "ITEM:";
 
 /// Whether the comma of a number may stand between thousands: 1,234, but neither 0,123 nor 1,5.
 bool may_separate_thousands(std::string_view number) {
@@ -43,6 +44,11 @@ void TableScanner::read_header(bool may_be_header) {
         first.content().size() == kStatedSeparator.size() + 1) {
         lines_ = first;
         if (!first.next()) return;
+    }
+    if (first.content().starts_with(kLammpsDump)) {
+        first.refuse(first.line(),
+                     "a LAMMPS dump; keep the names of columns behind ITEM: ATOMS and the lines "
+                     "below, leave out the rest, and give the sides of the box as the period");
     }
     const auto split = [&](std::string_view content) {
         separator_ = separator_of(content);
@@ -134,7 +140,8 @@ bool TableScanner::next() {
 double TableScanner::number(std::size_t column) {
     const std::string_view field = fields_[column];
     if (field.empty()) refuse(column, "the field is empty; give a number");
-    if (separator_ == Separator::kSemicolon || separator_ == Separator::kTab) {
+    const bool is_only_column = header_.size() == 1;
+    if (separator_ == Separator::kSemicolon || separator_ == Separator::kTab || is_only_column) {
         return decimal_number(column, field);
     }
     try {

@@ -17,7 +17,8 @@ namespace pcvt {
 ///   (1) It is a header if none of its fields is a number and one of them holds a letter.
 ///   (2) It has the separator of all rows, see separator_of(); without a header, tabs are blanks
 ///       unless numbers have decimal commas.
-///   (3) Between semicolons and tabs, all numbers may have a decimal comma; elsewhere, none may.
+///   (3) Between semicolons and tabs, and below a header with a single name, all numbers may have a
+///       decimal comma; elsewhere, none may.
 /// Below a header, and once columns are chosen, all rows have as many fields; one empty field
 /// behind the last one does not count.
 ///

@@ -95,12 +95,12 @@ TEST(SizeColumn, AFeatureOfNumberZeroIsRefusedWithTheReason) {
               "g.csv:3: column 'd': '0' is no size of a cell; give a number from 1e-150 to 1e150");
 }
 
-TEST(SizeColumn, OneColumnWithDecimalCommasIsRefused) {
+TEST(SizeColumn, OneColumnWithDecimalCommasNeedsAHeader) {
     EXPECT_THAT(reading("0,5\n0,25\n"),
                 StartsWith("g.csv:1: '0,5' is not a number; write a decimal "
                            "point, or where the comma separates"));
     EXPECT_THAT(reading("0,5\n", "", {"1"}), StartsWith("g.csv:1: '0,5' may be one number or two"));
-    EXPECT_THAT(reading("Diameter\n0,5\n"), StartsWith("g.csv:2: '0,5' is not a number; use a "));
+    EXPECT_EQ(reading("Diameter (um)\n0,5\n"), "diameters of column Diameter (um) of g.csv");
     EXPECT_THAT(reading("1,2,3\n"),
                 StartsWith("g.csv:1: this line has 3 words; write one area a "));
 }

@@ -169,6 +169,12 @@ TEST(TableScanner, EmptyFieldsAtTheEndsOfALineCount) {
     EXPECT_THAT(column_of("id,d,phase\n,2,\n2,3,1\n", "d"), ElementsAre(2, 3));
 }
 
+TEST(TableScanner, OneColumnBelowAHeaderMayHaveDecimalCommas) {
+    EXPECT_THAT(table_fault("d\n1,234\n", "d"), StartsWith("t.csv:2: the comma may be a decimal "));
+    EXPECT_THAT(table_fault("d\n0,5\n0.5\n", "d"),
+                StartsWith("t.csv:3: '0.5' has a decimal point, a number of line 2 has a comma"));
+}
+
 TEST(TableScanner, WrongRowsAreRefusedByLineAndColumn) {
     const std::vector<std::pair<std::string, std::string>> faults = {
         {"id,d\n1,2\n2\n",
@@ -188,6 +194,7 @@ TEST(TableScanner, WrongRowsAreRefusedByLineAndColumn) {
         {"id\td\n1\t0.5\n2\t0,5\n", "t.csv:3: column 'd': '0,5' has a decimal comma, a number "},
         {"id;d\n1;x,5\n", "t.csv:2: column 'd': 'x,5' is not a number; write a decimal"},
         {"id;d\n1;1,234\n2;12,500\n", "t.csv:2: the comma may be a decimal mark or stand between "},
+        {"ITEM: TIMESTEP\n0\n", "t.csv:1: a LAMMPS dump; keep the names of columns behind "},
         {"1,5 2,5\n", "t.csv:1: column 2: '2,5' is not a number; use a decimal point"},
         {"id,\"d\n1,2\n", "t.csv:1: a quote is not closed; "},
         {"id,d\n1,2\n\n1 2\n", "t.csv:4: the row has 1 field with commas"},
@@ -204,6 +211,8 @@ TEST(TableScanner, WrongRowsAreRefusedByLineAndColumn) {
 
 TEST(TableScanner, ACommaThatMayStandBetweenThousandsIsSettledByAnotherOne) {
     EXPECT_THAT(column_of("id;d\n1;1,234\n2;0,500\n", "d"), ElementsAre(1.234, 0.5));
+    EXPECT_THAT(column_of("Diameter\n0,8618\n1,3472\n2\n", "diameter"),
+                ElementsAre(0.8618, 1.3472, 2));
     EXPECT_THAT(column_of("id;d\n1;1,234\n2;12,5\n", "d"), ElementsAre(1.234, 12.5));
 }
 
