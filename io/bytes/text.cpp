@@ -37,6 +37,26 @@ bool spells_no_finite_number(std::string_view word) {
             head == "INF");
 }
 
+/// The number of bytes of the character that a text begins with, in UTF-8; 0 if it is not
+/// printable: a control character, one that changes the direction of what follows, or not UTF-8.
+std::size_t printable_length(std::string_view text) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+    if (byte(0) < 0x80) return text[0] >= ' ' && text[0] <= '~' ? 1 : 0;
+    const std::size_t length = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
+    if (byte(0) < 0xC2 || byte(0) > 0xF4 || text.size() < length) return 0;
+    std::uint32_t code = byte(0) & (0x7FU >> length);
+    for (std::size_t k = 1; k < length; ++k) {
+        if ((byte(k) & 0xC0U) != 0x80U) return 0;
+        code = code << 6U | (byte(k) & 0x3FU);
+    }
+    constexpr std::uint32_t kLeast[] = {0xA0, 0x800, 0x10000};
+    const bool turns = (code >= 0x200E && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) ||
+                       (code >= 0x2066 && code <= 0x2069);
+    const bool is_character =
+        code >= kLeast[length - 2] && code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF);
+    return is_character && !turns ? length : 0;
+}
+
 [[noreturn]] void refuse_number(std::string_view word, std::errc fault) {
     std::string complaint = in_quotes(word);
     if (fault == std::errc::result_out_of_range) {
@@ -112,8 +132,13 @@ int parse_integer(std::string_view word) {
 
 std::string in_quotes(std::string_view word) {
     std::string text = "'";
-    for (const char c : word.substr(0, kMostQuoted)) text += c >= ' ' && c <= '~' ? c : '?';
-    if (word.size() > kMostQuoted) text += "...";
+    std::size_t n = 0;
+    for (; n < kMostQuoted && !word.empty(); ++n) {
+        const std::size_t length = printable_length(word);
+        text += length == 0 ? "?" : word.substr(0, length);
+        word.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    if (!word.empty()) text += "...";
     return text + "'";
 }
 

@@ -33,8 +33,8 @@ double parse_number(std::string_view word);
 /// @throws InvalidInput such as `'1.5' is not a whole number; write one such as 12`.
 int parse_integer(std::string_view word);
 
-/// Returns `word` in quotes for a message: at most 40 characters, with question marks for
-/// unprintable bytes.
+/// Returns `word` in quotes for a message: at most 40 characters of UTF-8, with question marks for
+/// bytes that are not printable.
 std::string in_quotes(std::string_view word);
 
 /// Walks over the lines of a text. LF, CRLF and CR end a line, and so does the end of the text. A

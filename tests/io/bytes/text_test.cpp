@@ -100,7 +100,24 @@ TEST(Text, DecimalsAreNoWholeNumbers) {
 }
 
 TEST(Text, QuotedWordsArePrintableAndShort) {
+    const auto unprintable = [](std::size_t n) { return "'" + std::string(n, '?') + "'"; };
     EXPECT_EQ(in_quotes("a\x1b[31m\xff"), "'a?[31m?'");
+    EXPECT_EQ(in_quotes("Gr\u00f6\u00dfe \u03c6 \u7c92 \U0001F600"),
+              "'Gr\u00f6\u00dfe \u03c6 \u7c92 \U0001F600'");
+    // Cut characters, overlong ones, surrogates, C1 controls and marks of direction.
+    EXPECT_EQ(in_quotes("\xc3"), "'?'");
+    EXPECT_EQ(in_quotes("\xc0\xaf"), unprintable(2));
+    EXPECT_EQ(in_quotes("\xe0\x80\xaf"), unprintable(3));
+    EXPECT_EQ(in_quotes("\xed\xa0\x80"), unprintable(3));
+    EXPECT_EQ(in_quotes("\xc2\x9b"
+                        "1m"),
+              "'?"
+              "?1m'");
+    EXPECT_EQ(in_quotes("\u202e"
+                        "a"),
+              "'??"
+              "?a'");
+    EXPECT_EQ(in_quotes("\xf4\x90\x80\x80"), unprintable(4));
     EXPECT_EQ(in_quotes(std::string(41, 'x')), "'" + std::string(40, 'x') + "...'");
 }
 
