@@ -254,7 +254,8 @@ class Phases(TableTest):
         self.refuse(2, "^pcvt: --phases 'none.csv': 'none.csv' is no phase; write NAME:FRACTION, such as ferrite:0.3; "
                        "there is no file of that name$", *run, "none.csv")
         for text, words in (("a\nb\n", "^pcvt: there are 2 phases for 3 sites; give one for each site$"),
-                            ("a\nIron bcc\nb\n", r"^p\.csv:2: this line has 2 words; write one phase a line$"), ("b\nA\na\n", r"^p\.csv:3: the phase a is given twice"),
+                            ("a\nIron bcc\nb\n", r"^p\.csv:2: this line has 2 words; write one phase a line$"),
+                            ("b\nA\na\n", r"^p\.csv:3: the phase a is given twice"),
                             ("id,phase\n1,a\n2,\n3,b\n", r"^p\.csv:3: column 'phase': the field is empty; fill it$"),
                             ("1 a\n2 b\n3 c\n", r"^p\.csv:1: the table has several columns; name that of the phases, such"),
                             ("# none\n", r"^p\.csv: holds no phase; give one a line, one for each site$")):
