@@ -107,7 +107,9 @@ bool holds(const Format& format, const plane::Tile& tile, plane::Outline outline
     if (!format.holds_polygons && tile.kind == plane::MeshKind::kVoronoi) return false;
     if (format.check == nullptr) return true;
     try {
-        format.check({tile.lattice, tile.kind, outline, 0});
+        format.check({.lattice = tile.lattice,
+                      .tile = {.kind = tile.kind, .outline = outline},
+                      .n_sites = 0});
         return true;
     } catch (const InvalidInput&) {
         return false;

@@ -151,6 +151,15 @@ def area_theme(job):
     job.leave_out("nc")
 
 
+def weight_theme(job):
+    """The power cells of given sites; equal weights leave every site its cell."""
+    text, job.n_sites = site_text(job.draw, job.dimension, job.unit, not job.is_sound)
+    job.add("--input", job.input("s.txt", text), "--max-iterations", job.pick((0,), (0, 5)))
+    weights = "0.25\n" * job.n_sites if job.is_sound else area_text(job.draw, job.n_sites, True)
+    job.add("--weights", job.input("weights.txt", weights))
+    job.leave_out("nc")
+
+
 def aspect_theme(job):
     any_sites(job)
     if job.often(0.3):
@@ -216,7 +225,7 @@ def best_theme(job):
     job.add("--sites", min(job.n_sites, 12), "--start", "best", "--budget", job.draw.choice((1, 40, 200)))
 
 
-PLANE_THEMES = (plain_theme,) * 3 + (density_theme, area_theme, area_theme, aspect_theme, wall_theme, wall_theme,
+PLANE_THEMES = (plain_theme,) * 3 + (density_theme, area_theme, area_theme, weight_theme, aspect_theme, wall_theme, wall_theme,
                                      symmetry_theme, inclusion_theme, inclusion_theme, fixed_theme, best_theme)
 
 

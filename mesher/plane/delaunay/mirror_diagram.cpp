@@ -1,5 +1,9 @@
 #include "mesher/plane/delaunay/mirror_diagram.hpp"
 
+// CGAL's containers lose a block if the memory for their list of blocks runs out.
+#include "mesher/base/scoped_blocks.hpp"
+#define CGAL_ALLOCATOR(T) pcvt::ScopedAllocator<T>
+
 #include <CGAL/Delaunay_triangulation_2.h>
 
 #include <algorithm>
@@ -262,6 +266,8 @@ class Flooding {
     }
 
     const Sites& sites_;
+    /// Is destroyed after the triangulation.
+    ScopedBlocks blocks_;
     Gram gram_;
     Euclidean euclidean_;
     std::set<std::pair<SiteId, Offset>> mirrors_;

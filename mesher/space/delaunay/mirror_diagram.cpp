@@ -1,5 +1,9 @@
 #include "mesher/space/delaunay/mirror_diagram.hpp"
 
+// CGAL's containers lose a block if the memory for their list of blocks runs out.
+#include "mesher/base/scoped_blocks.hpp"
+#define CGAL_ALLOCATOR(T) pcvt::ScopedAllocator<T>
+
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
 #include <CGAL/Triangulation_vertex_base_3.h>
@@ -264,6 +268,8 @@ class Flooding {
     }
 
     const Sites& sites_;
+    /// Is destroyed after the triangulation.
+    ScopedBlocks blocks_;
     ImageSearch images_;
     Euclidean euclidean_;
     Vec3 band_ = Vec3::Zero();

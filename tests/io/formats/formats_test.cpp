@@ -77,8 +77,7 @@ TEST(Formats, SitesAndGridsOfTheTorusAreRowsAsWell) {
     EXPECT_TRUE(std::holds_alternative<TorusWriter*>(grid.write));
     EXPECT_TRUE(grid.reads_grid());
     const plane::Lattice oblique({1, 0}, {0.37, 0.81});
-    EXPECT_THROW(grid.check({oblique, plane::MeshKind::kVoronoi, plane::Outline::kWhole, 0}),
-                 InvalidInput);
+    EXPECT_THROW(grid.check({.lattice = oblique, .n_sites = 0}), InvalidInput);
 }
 
 TEST(Formats, TheSameTileGivesTheSameBytes) {
