@@ -25,7 +25,7 @@ struct OutputFile {
 
 /// The content of all files of a run in the plane, known before anything is computed.
 struct RunRequest {
-    /// Of each file; its mesh is one of `meshes`.
+    /// The content of each file; its mesh is one of `meshes`.
     FormatRequest content;
     std::vector<plane::MeshKind> meshes;
     /// Whether the cells are those of a metric.

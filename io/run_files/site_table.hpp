@@ -28,11 +28,11 @@ struct SiteColumns {
 template <int Dimension>
 struct SiteTable {
     SiteFileOf<Dimension> sites;
-    /// Of a column `weight`.
+    /// The column `weight`.
     std::optional<WeightFile> weights = {};
-    /// Of a column `phase`.
+    /// The column `phase`.
     std::optional<PhaseFile> phases = {};
-    /// Of columns phi1, Phi and phi2.
+    /// The columns phi1, Phi and phi2.
     std::vector<BungeAngles> orientations = {};
 };
 

@@ -34,7 +34,7 @@ void add_study_options(CLI::App& app, StudyOptions& options);
 
 /// The study to compute, or to merge from files.
 struct StudyRequest {
-    /// Of a study to merge, only the name.
+    /// A study to merge has only its name here.
     Study study;
     StudyShard shard;
     int n_threads = 1;

@@ -21,7 +21,7 @@ namespace {
 constexpr double kTriangulating = 185;
 constexpr double kOptimising = 205;
 constexpr double kWithDensity = 60;
-/// Of prescribed areas, at fixed and at moving sites.
+/// Runs with prescribed areas, at fixed and at moving sites.
 constexpr double kFittingAreas = 780;
 constexpr double kMovingWithAreas = 980;
 /// Sites of a file, with their lines.

@@ -13,16 +13,16 @@ namespace pcvt {
 struct JobStart {
     /// 2 x n, length units.
     plane::Points points;
-    /// Of jobs with a symmetry, in place of `points`; numbered by columns.
+    /// The sites of jobs with a symmetry, in place of `points`; numbered by columns.
     std::optional<plane::SymmetricSites> symmetric = {};
     /// Sites of the user keep their numbers; all others are numbered by columns.
     plane::Numbering numbering = plane::Numbering::kByColumns;
-    /// Of jobs with areas: one a site, in the order of the result's sites, length^2.
+    /// The target areas of jobs that have them, in the order of the result's sites, length^2.
     Eigen::VectorXd areas = {};
     /// For CvtOptions.
     double precondition_below = plane::CvtOptions().precondition_below;
     StartFigures figures;
-    /// Of the global search.
+    /// The evaluations of the global search.
     int evaluations = 0;
     bool cancelled = false;
 };
