@@ -68,16 +68,7 @@ std::string description(const TableScanner& scanner, const TableName& name,
                                                scanner.header()[0].unit.empty()))) {
         return name.path;
     }
-    std::string text = size_words(sizes.kind).plural;
-    if (scanner.has_header() || !name.columns.empty()) {
-        const TableColumn column = scanner.has_header()
-                                       ? scanner.header()[sizes.column]
-                                       : TableColumn{.name = std::to_string(sizes.column + 1)};
-        const std::string quoted = in_quotes(column.name);
-        text += " of column " + quoted.substr(1, quoted.size() - 2) +
-                (column.unit.empty() ? "" : " (" + column.unit + ")");
-    }
-    return text + " of " + name.path;
+    return size_words(sizes.kind).plural + place_in_words(scanner, name, sizes.column);
 }
 
 Eigen::VectorXd areas_of(const std::vector<double>& sizes, SizeKind kind) {
@@ -125,17 +116,7 @@ TableName area_table(const std::string& text) {
 }
 
 void require_areas(const AreaFile& file, int n_sites) {
-    const auto n = static_cast<int>(file.areas.size());
-    if (n < n_sites) {
-        throw at_line(file, file.lines.back(),
-                      "the last of " + std::to_string(n) + " areas, but there are " +
-                          std::to_string(n_sites) + " sites; give one area for each site");
-    }
-    if (n > n_sites) {
-        throw at_line(file, file.lines[static_cast<std::size_t>(n_sites)],
-                      "area " + std::to_string(n_sites + 1) + ", but there are " +
-                          std::to_string(n_sites) + " sites; give one area for each site");
-    }
+    require_one_row_a_site(file.name, file.lines, n_sites, "area");
     Eigen::Index smallest = 0;
     const Eigen::VectorXd relative = file.areas / file.areas.maxCoeff();
     if (relative.minCoeff(&smallest) >= kLeastArea * relative.mean()) return;

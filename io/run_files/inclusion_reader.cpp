@@ -6,6 +6,7 @@
 
 #include "io/bytes/input_file.hpp"
 #include "io/bytes/text.hpp"
+#include "mesher/base/comma_list.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/cells/phase_fractions.hpp"
 #include "mesher/cells/set_names.hpp"
@@ -90,16 +91,6 @@ plane::Shape parse_shape(const LineScanner& scanner, const ShapeRow& row,
     std::vector<double> numbers;
     for (const std::string_view word : words) numbers.push_back(scanner.number(word));
     return row.make(numbers);
-}
-
-std::vector<std::string_view> between_commas(std::string_view text) {
-    std::vector<std::string_view> words;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        words.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return words;
 }
 
 }  // namespace

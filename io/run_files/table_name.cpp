@@ -3,22 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "mesher/base/comma_list.hpp"
+
 namespace pcvt {
 namespace {
 
 bool is_there(const std::string& path) {
     std::error_code unknown;
     return !path.empty() && std::filesystem::exists(path, unknown);
-}
-
-std::vector<std::string> split_at_commas(std::string_view text) {
-    std::vector<std::string> words;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        words.emplace_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return words;
 }
 
 }  // namespace
@@ -37,7 +29,8 @@ TableName parse_table_name(const std::string& text,
     }
     const std::size_t last = name.path.rfind(':');
     if (last == std::string::npos || last == 0 || last + 1 == name.path.size()) return name;
-    name.columns = split_at_commas(std::string_view(name.path).substr(last + 1));
+    const auto columns = between_commas(std::string_view(name.path).substr(last + 1));
+    name.columns.assign(columns.begin(), columns.end());
     name.path.resize(last);
     return name;
 }

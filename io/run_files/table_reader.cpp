@@ -239,4 +239,27 @@ std::string TableScanner::listed_columns() const {
     return text + (header_.size() > kMostListed ? ", ..." : "");
 }
 
+std::string place_in_words(const TableScanner& scanner, const TableName& name, std::size_t column) {
+    const std::string file = " of " + name.path;
+    if (!scanner.has_header() && name.columns.empty()) return file;
+    const TableColumn named = scanner.has_header()
+                                  ? scanner.header()[column]
+                                  : TableColumn{.name = std::to_string(column + 1)};
+    const std::string quoted = in_quotes(named.name);
+    return " of column " + quoted.substr(1, quoted.size() - 2) +
+           (named.unit.empty() ? "" : " (" + named.unit + ")") + file;
+}
+
+void require_one_row_a_site(const std::string& name, const std::vector<int>& lines, int n_sites,
+                            const std::string& quantity) {
+    const auto n = static_cast<int>(lines.size());
+    if (n == n_sites) return;
+    const int line = n < n_sites ? lines.back() : lines[static_cast<std::size_t>(n_sites)];
+    throw BadFile(name + ":" + std::to_string(line) + ": " +
+                  (n < n_sites ? "the last of " + std::to_string(n) + " " + quantity + "s"
+                               : quantity + " " + std::to_string(n_sites + 1)) +
+                  ", but there are " + std::to_string(n_sites) + " sites; give one " + quantity +
+                  " for each site");
+}
+
 }  // namespace pcvt

@@ -8,6 +8,7 @@
 #include "io/bytes/bad_file.hpp"
 #include "io/run_files/table_header.hpp"
 #include "io/run_files/table_lines.hpp"
+#include "io/run_files/table_name.hpp"
 
 namespace pcvt {
 
@@ -99,5 +100,16 @@ class TableScanner {
     int unclear_line_ = 0;
     bool has_clear_comma_ = false;
 };
+
+/// The place of a column in words for a summary: " of column ECD (um) of ebsd.csv", or " of e.txt"
+/// where a table has no header and the user has named no column.
+std::string place_in_words(const TableScanner& scanner, const TableName& name, std::size_t column);
+
+/// Requires one row for each site.
+/// @param lines     of the rows, counted from 1.
+/// @param quantity  of each row, for messages: "area".
+/// @throws BadFile naming the last row, or the first one too many.
+void require_one_row_a_site(const std::string& name, const std::vector<int>& lines, int n_sites,
+                            const std::string& quantity);
 
 }  // namespace pcvt

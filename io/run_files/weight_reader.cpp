@@ -127,20 +127,6 @@ double weight_of_length(TableScanner& scanner, const WeightColumn& found) {
     return radius * radius;
 }
 
-std::string weight_description(const TableScanner& scanner, const TableName& name,
-                               const WeightColumn& found) {
-    std::string text = weight_words(found.kind).description;
-    if (scanner.has_header() || !name.columns.empty()) {
-        const TableColumn column = scanner.has_header()
-                                       ? scanner.header()[found.column]
-                                       : TableColumn{.name = std::to_string(found.column + 1)};
-        const std::string quoted = in_quotes(column.name);
-        text += " of column " + quoted.substr(1, quoted.size() - 2) +
-                (column.unit.empty() ? "" : " (" + column.unit + ")");
-    }
-    return text + " of " + name.path;
-}
-
 }  // namespace
 
 TableName weight_table(const std::string& text) {
@@ -164,7 +150,8 @@ WeightFile parse_weights(const TableName& name, std::string_view text) {
             weights.push_back(weight_of_length(scanner, found));
             file.lines.push_back(scanner.line());
         }
-        file.description = weight_description(scanner, name, found);
+        file.description =
+            weight_words(found.kind).description + place_in_words(scanner, name, found.column);
     }
     if (weights.empty()) {
         throw BadFile(name.path + ": holds no weight; give one a line, one for each site");
@@ -178,14 +165,7 @@ WeightFile read_weights(const TableName& name) {
 }
 
 void require_weights(const WeightFile& file, int n_sites) {
-    const auto n = static_cast<int>(file.weights.size());
-    if (n == n_sites) return;
-    const int line = n < n_sites ? file.lines.back() : file.lines[std::size_t(n_sites)];
-    throw BadFile(file.name + ":" + std::to_string(line) + ": " +
-                  (n < n_sites ? "the last of " + std::to_string(n) + " weights"
-                               : "weight " + std::to_string(n_sites + 1)) +
-                  ", but there are " + std::to_string(n_sites) +
-                  " sites; give one weight for each site");
+    require_one_row_a_site(file.name, file.lines, n_sites, "weight");
 }
 
 }  // namespace pcvt

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "mesher/base/comma_list.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/portable/decimal_text.hpp"
 
@@ -40,17 +41,6 @@ std::string in_words(double x) {
     char* const end =
         write_decimal(text.data(), text.data() + text.size(), x, std::chars_format::general, 6);
     return {text.data(), end};
-}
-
-/// The texts between commas.
-std::vector<std::string_view> entries_of(std::string_view text) {
-    std::vector<std::string_view> entries;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        entries.push_back(text.substr(begin, comma - begin));
-        begin = comma + 1;
-    }
-    return entries;
 }
 
 PhaseFraction parse_phase(std::string_view entry) {
@@ -107,7 +97,7 @@ std::vector<PhaseFraction> checked_phases(std::vector<PhaseFraction> phases) {
 std::vector<PhaseFraction> named_phases(std::string_view text) {
     std::vector<PhaseFraction> phases;
     std::vector<std::string> names;
-    for (const std::string_view name : entries_of(text)) {
+    for (const std::string_view name : between_commas(text)) {
         names.emplace_back(name);
         phases.push_back({.name = names.back()});
     }
@@ -117,7 +107,7 @@ std::vector<PhaseFraction> named_phases(std::string_view text) {
 
 std::vector<PhaseFraction> parse_phases(std::string_view text) {
     std::vector<PhaseFraction> phases;
-    for (const std::string_view entry : entries_of(text)) phases.push_back(parse_phase(entry));
+    for (const std::string_view entry : between_commas(text)) phases.push_back(parse_phase(entry));
     return checked_phases(std::move(phases));
 }
 

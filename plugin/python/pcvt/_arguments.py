@@ -43,19 +43,19 @@ def set_areas(options, areas):
     if isinstance(areas, str):
         options.area_law = text("areas", areas)
         return None
-    array = doubles("areas", areas, np.size(areas))
-    set_integers(options, n_areas=len(array))
-    options.areas = array.ctypes.data
-    return array
+    return set_list(options, "areas", areas)
 
 
 def set_weights(options, weights):
     """Returns the array that must stay alive as long as the options are used, or None."""
-    if weights is None:
-        return None
-    array = doubles("weights", weights, np.size(weights))
-    set_integers(options, n_weights=len(array))
-    options.weights = array.ctypes.data
+    return None if weights is None else set_list(options, "weights", weights)
+
+
+def set_list(options, name, values):
+    """Sets a field and its number of values. Returns the array that must stay alive."""
+    array = doubles(name, values, np.size(values))
+    set_integers(options, **{f"n_{name}": len(array)})
+    setattr(options, name, array.ctypes.data)
     return array
 
 
