@@ -240,7 +240,7 @@ std::string TableScanner::listed_columns() const {
 }
 
 std::string place_in_words(const TableScanner& scanner, const TableName& name, std::size_t column) {
-    const std::string file = " of " + name.path;
+    std::string file = " of " + name.path;
     if (!scanner.has_header() && name.columns.empty()) return file;
     const TableColumn named = scanner.has_header()
                                   ? scanner.header()[column]
