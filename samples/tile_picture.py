@@ -30,7 +30,7 @@ def text_of(path, remedy):
     except OSError as error:
         raise BadFile(path, error.strerror or error, remedy) from None
     except ValueError:
-        raise BadFile(path, "this is no text file in UTF-8, but compressed, binary or in another encoding", remedy) from None
+        raise BadFile(path, "this is not a text file in UTF-8, but compressed, binary or in another encoding", remedy) from None
 
 
 def is_count(word):

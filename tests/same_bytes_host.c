@@ -12,7 +12,7 @@
  *   write FILE          writes a file, or only the report for FILE = -
  *   misuse              calls that break the rules, each with its status and message
  *
- * It uses the header alone, so that a header of an earlier commit compiles it.
+ * It uses only the header, so that a header of an earlier commit compiles it.
  */
 #include <math.h>
 #include <pcvt.h>

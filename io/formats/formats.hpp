@@ -72,7 +72,7 @@ struct FormatRequest {
     FileOptions files = {};
 
     /// The number of all sites in `lattice`.
-    double n_all_sites() const { return n_sites * (double(tile.columns) * tile.rows); }
+    double n_all_sites() const { return n_sites * tile.repeat.n_copies(); }
     /// The mean distance of the sites.
     double spacing() const;
 };

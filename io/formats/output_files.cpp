@@ -87,7 +87,7 @@ void require_held(const Format& format, const FormatRequest& content, const RunR
     if (format.states_materials && run.has_materials && !has_cells(content.tile.kind) &&
         needs_cells) {
         throw InvalidInput(path +
-                           ": Delaunay triangles are no cells, which phases and orientations "
+                           ": Delaunay triangles are not cells, which phases and orientations "
                            "belong to; take the mesh grains");
     }
     if (format.needs_tile() && !format.holds_polygons) require_triangles(content.tile.kind, path);

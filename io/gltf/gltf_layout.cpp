@@ -117,9 +117,9 @@ class LayoutProof {
             throw_bad("the tile is moved along z");
         }
         const Json& nodes = GltfDocument::member(document_.entry("scenes", 0), "nodes");
-        if (nodes.size() != 1 || nodes[0] != 0) throw_bad("the scene does not show node 0 alone");
+        if (nodes.size() != 1 || nodes[0] != 0) throw_bad("the scene does not show only node 0");
         const Json& children = GltfDocument::member(document_.entry("nodes", 0), "children");
-        require_equal(children.size() + 1, size_of("nodes"), "a node is no child of node 0");
+        require_equal(children.size() + 1, size_of("nodes"), "a node is not a child of node 0");
         for (std::size_t k = 0; k < children.size(); ++k) {
             if (children[k] != k + 1) throw_bad("the children of node 0 are not in order");
         }

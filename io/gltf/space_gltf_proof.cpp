@@ -164,7 +164,7 @@ void compare_indices(const EncodedFile& file, const GlbSurfaces& glb, const GlbS
             const auto found = glb.list.surface.faces[f];
             const auto wanted = expected.list.surface.faces[f];
             if (std::equal(found.begin(), found.end(), wanted.begin(), wanted.end())) continue;
-            throw_bad(file, "the indices of " + glb.groups[g].name + " are no fans");
+            throw_bad(file, "the indices of " + glb.groups[g].name + " are not fans");
         }
     }
 }
@@ -274,7 +274,7 @@ void compare_sites(const GlbSurfaces& glb, double largest) {
         // The rounding of corners may move a plane to the other side of a site near it.
         if (height > -tolerance && images.any_at(site + 2 * height * normal, tolerance)) continue;
         throw_violation(kSiteLaw, "the site of " + glb.groups[surface.cell[f]].name +
-                                      ", mirrored in a face of its cell, is no site");
+                                      ", mirrored in a face of its cell, is not a site");
     }
 }
 

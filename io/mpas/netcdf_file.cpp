@@ -196,7 +196,7 @@ bool NetcdfFile::has_attribute(std::string_view name) const {
 
 std::string_view NetcdfFile::text(std::string_view name) const {
     const Values& values = find(attributes_, name);
-    if (values.type != kText) throw_bad_file("attribute " + std::string(name) + " is no text");
+    if (values.type != kText) throw_bad_file("attribute " + std::string(name) + " is not a text");
     return part(bytes_, values.begin, values.count);
 }
 
@@ -252,9 +252,10 @@ std::vector<int> NetcdfFile::integers(std::string_view name,
     for (const double value : numbers(name, size)) {
         if (!(value >= std::numeric_limits<int>::min()) ||
             !(value <= std::numeric_limits<int>::max()) || value != std::floor(value)) {
-            throw_bad_file(std::string(name) +
-                           " cannot be read: a value is no integer of 32 bits; give an MPAS mesh "
-                           "file");
+            throw_bad_file(
+                std::string(name) +
+                " cannot be read: a value is not an integer of 32 bits; give an MPAS mesh "
+                "file");
         }
         result.push_back(static_cast<int>(value));
     }

@@ -20,12 +20,13 @@ double parse_size(TableScanner& scanner, std::size_t column, bool is_first) {
     if (size >= kLeastSize && size <= kLargestSize) return size;
     const std::string_view field = scanner.fields()[column];
     if (size == 0 && is_first && column > 0 && scanner.fields()[0] == "0") {
-        scanner.refuse(column, in_quotes(field) +
-                                   " is no size of a cell, but exporters list a feature 0 without "
-                                   "a size; remove the line");
+        scanner.refuse(column,
+                       in_quotes(field) +
+                           " is not the size of a cell, but exporters list a feature 0 without "
+                           "a size; remove the line");
     }
-    scanner.refuse(column,
-                   in_quotes(field) + " is no size of a cell; give a number from 1e-150 to 1e150");
+    scanner.refuse(column, in_quotes(field) +
+                               " is not the size of a cell; give a number from 1e-150 to 1e150");
 }
 
 /// Refuses a table without a header that has several columns, none of which is named.

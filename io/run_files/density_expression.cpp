@@ -56,7 +56,7 @@ void refuse_assignment(const std::string& text) {
 void refuse_double_asterisk(const std::string& text) {
     const std::size_t place = text.find("**");
     if (place == std::string::npos) return;
-    throw_bad_formula(place + 1, "** is no operator; write ^ for a power");
+    throw_bad_formula(place + 1, "** is not an operator; write ^ for a power");
 }
 
 struct NamedFunction {

@@ -52,7 +52,7 @@ const ShapeRow& shape_row(const LineScanner& scanner, std::string_view word) {
     for (const ShapeRow& row : kShapes) {
         if (row.word == word) return row;
     }
-    scanner.throw_bad_file(in_quotes(word) + " is no shape; " + kForms);
+    scanner.throw_bad_file(in_quotes(word) + " is not a shape; " + kForms);
 }
 
 /// The number of a tag, which counts from 1 and is added to `tags` if it is new.

@@ -76,7 +76,7 @@ class TileParser final : public MshSections {
     bool takes(const ElementType* type, int number) override {
         if (type != nullptr && type->dimension <= 2) return true;
         rows().throw_bad_file("elements of type " + std::to_string(number) +
-                              " are no triangles; give a mesh of triangles");
+                              " are not triangles; give a mesh of triangles");
     }
 
     void take_element(const ElementType& type, int dimension, int entity) override {

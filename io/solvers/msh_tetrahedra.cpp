@@ -114,7 +114,7 @@ class TetrahedraParser final : public MshSections {
         if (site >= 0) rows().throw_bad_file("the node occurs twice; correct it");
         site = rows().integer(1);
         if (site < 0 || site >= mesh().n_points()) {
-            rows().throw_bad_file(std::to_string(site) + " is no site; correct it");
+            rows().throw_bad_file(std::to_string(site) + " is not a site; correct it");
         }
     }
 

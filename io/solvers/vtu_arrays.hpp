@@ -38,7 +38,8 @@ struct VtuArray {
 class VtuArrays {
    public:
     /// @param further  SECTION/NAME of arrays that are read as well.
-    /// @throws BadFile  the text is no VTKFile with one piece of an UnstructuredGrid and arrays in
+    /// @throws BadFile  the text is not a VTKFile with one piece of an UnstructuredGrid and arrays
+    /// in
     ///         ASCII; an array is there twice.
     VtuArrays(const std::string& name, std::string_view text,
               std::span<const std::string_view> further = {});

@@ -50,7 +50,8 @@ PhaseFraction parse_phase(std::string_view entry) {
     const char* const end = entry.data() + entry.size();
     const auto [stop, error] = read_decimal(begin, end, phase.fraction);
     if (error == std::errc{} && stop == end) return phase;
-    throw InvalidInput(in_quotes(entry) + " is no phase; write NAME:FRACTION, such as ferrite:0.3");
+    throw InvalidInput(in_quotes(entry) +
+                       " is not a phase; write NAME:FRACTION, such as ferrite:0.3");
 }
 
 }  // namespace
@@ -64,7 +65,7 @@ void require_phase_names(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         if (!is_name(name) || name.size() > kLongestPhaseName) {
             throw InvalidInput(in_quotes(name) +
-                               " is no name of a phase; take 1 to 60 letters, digits, _ or -");
+                               " is not the name of a phase; take 1 to 60 letters, digits, _ or -");
         }
         known.push_back(in_upper_case(name));
         if (std::find(known.begin(), known.end() - 1, known.back()) == known.end() - 1) continue;

@@ -97,7 +97,7 @@ AreaLaw parse_area_law(const std::string& text) {
     const LawRow* const row = find_row(text);
     if (row == nullptr) {
         throw InvalidInput("'" + text +
-                           "' is no law of areas; choose equal, lognormal:S or gamma:S");
+                           "' is not a law of areas; choose equal, lognormal:S or gamma:S");
     }
     AreaLaw law{.kind = row->kind};
     const std::size_t colon = text.find(':');

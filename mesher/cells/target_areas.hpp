@@ -48,7 +48,7 @@ Eigen::VectorXd areas_of_diameters(const Eigen::VectorXd& diameters);
 ///         kLeastArea times the mean, or if there are not n_sites areas.
 Eigen::VectorXd scaled_areas(const Eigen::VectorXd& areas, int n_sites, double total);
 
-/// The factor by which scaled_areas() multiplies areas; `nullopt` where it is no positive finite
+/// The factor by which scaled_areas() multiplies areas; `nullopt` where it is not a positive finite
 /// number.
 std::optional<double> area_scale(const Eigen::VectorXd& areas, double total);
 

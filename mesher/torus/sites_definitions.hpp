@@ -29,7 +29,7 @@ Sites<Lattice>::Sites(const Lattice& lattice, const Points& points)
     : lattice_(lattice),
       reduction_(reduce(lattice)),
       coordinates_(Lattice::kDimension, points.cols()) {
-    if (points.cols() == 0) throw InvalidInput("there is no site; give at least one");
+    if (points.cols() == 0) throw InvalidInput("no sites are given; give at least one");
     if (points.cols() > Lattice::kMostSites) {
         constexpr int kBits = std::bit_width(unsigned{Lattice::kMostSites}) - 1;
         throw InvalidInput("there are more than 2^" + std::to_string(kBits) + " sites");

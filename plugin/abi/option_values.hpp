@@ -25,6 +25,9 @@ void require_positive(const char* name, double value);
 /// Requires that sites which are given begin nowhere else.
 void require_one_start(const double* sites, std::int32_t start);
 
+/// A text that may be left out; nullptr: empty.
+inline std::string given_text(const char* text) { return text == nullptr ? "" : text; }
+
 /// The number of threads that the field n_threads means.
 int thread_count(std::int32_t wanted);
 

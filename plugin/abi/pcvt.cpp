@@ -82,7 +82,7 @@ double bound_of(const pcvt_options& options, const Job& job) {
 /// @returns false if the callback cancelled.
 bool read_density(const pcvt_options& options, const JobCallback& callback, const std::fenv_t& host,
                   Job& job) {
-    JobMonitor monitor(callback, {});
+    JobMonitor monitor(callback, job);
     try {
         set_density(options, host, job);
     } catch (const Cancelled&) {

@@ -108,7 +108,7 @@ const plane::PeriodicMesh& Result::periodic(plane::MeshKind kind) const {
     Job job = this->job();
     job.meshes = {kind};
     job.tile.outline = plane::Outline::kWhole;
-    job.tile.columns = job.tile.rows = 1;
+    job.tile.repeat = {};
     check_job(job);
     return meshes_[kind_number(kind)].get([&] {
         require_memory_for_mesh(job, kind);
@@ -203,7 +203,7 @@ pcvt_mesh Result::mesh(plane::MeshKind kind) const {
 
 pcvt_tile Result::tile(const Layout& layout) const {
     const JobCallback no_callback;
-    JobMonitor monitor(no_callback, {});
+    JobMonitor monitor(no_callback, job());
     const TileArrays& made = arrays(layout, monitor);
     const plane::Tile& tile = made.built.front().tile;
     pcvt_tile view{};

@@ -64,7 +64,7 @@ const ProvedSpaceTile& SpaceResult::tile(JobMonitor& monitor) const {
 
 const ProvedSpaceTile& SpaceResult::tile() const {
     const JobCallback no_callback;
-    JobMonitor monitor(no_callback, {});
+    JobMonitor monitor(no_callback, job());
     return tile(monitor);
 }
 

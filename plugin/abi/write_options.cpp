@@ -96,14 +96,14 @@ WriteRequest write_request(const char* path, const pcvt_write_options& options, 
                                "is not for files in three dimensions; leave it at its default");
     }
     WriteRequest request;
-    if (path != nullptr) request.path = path;
+    request.path = given_text(path);
     request.layout.kind =
         row_for(in_space, "kind", options.kind, plane::kMeshKinds, "PCVT_VORONOI or PCVT_DELAUNAY")
             .kind;
     request.layout.outline = tile_outline(options.outline);
     check_surfaces(request.path, options, in_space);
     request.files = file_options(options);
-    if (options.report != nullptr) request.report = options.report;
+    request.report = given_text(options.report);
     request.replace = options.replace != 0;
     return request;
 }

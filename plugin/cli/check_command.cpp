@@ -129,7 +129,7 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
     app.add_option("--density-range", options.density.range, "as for `pcvt mesh`")
         ->type_name("LO,HI");
     app.footer(
-        "Rebuilds the seam from positions and lattice alone and compares it with the stored one:\n"
+        "Rebuilds the seam from the positions and the lattice, and compares it:\n"
         "each boundary edge has one reversed partner by one lattice vector, the tile is a disc,\n"
         "its Euler characteristic is 0 after gluing, the areas sum to that of the domain.\n"
         "Polyhedra (.vtu, .foam): each cell is convex and closed, each face has two cells or one\n"

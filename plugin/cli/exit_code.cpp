@@ -66,7 +66,7 @@ std::string exit_code_help() {
     return "Exit codes:\n"
            "  0    done and verified\n"
            "  1    a fault of pcvt\n"
-           "  2    bad input, or a file that is no periodic tile, or an output whose single\n"
+           "  2    bad input, or a file that is not a periodic tile, or an output whose single\n"
            "       precision does not hold the tile; the other outputs are written then\n"
            "  3    an output could not be written, or exists and --force is not given\n"
            "  4    out of memory, or a limit of pcvt\n"

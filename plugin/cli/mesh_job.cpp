@@ -180,9 +180,7 @@ void read_run(const CLI::App& app, const MeshOptions& options, Job& job) {
         }
     }
     if (app.count("--repeat") > 0) {
-        const Repetition times = repetition("--repeat", options.repeat);
-        job.tile.columns = times.columns;
-        job.tile.rows = times.rows;
+        job.tile.repeat = repetition("--repeat", options.repeat);
     }
 }
 

@@ -205,9 +205,10 @@ std::string material_lines(const Job& job, const RunSummary& summary) {
 }
 
 std::string seed_text(const Job& job, const RunSummary& summary) {
-    return std::to_string(summary.seed) + ", because an output refused the cells of seed " +
+    const std::uint64_t used = job.seed + static_cast<std::uint64_t>(summary.retries);
+    return std::to_string(used) + ", because an output refused the cells of seed " +
            std::to_string(job.seed) +
-           (summary.seed - job.seed > 1 ? " to " + std::to_string(summary.seed - 1) : "");
+           (summary.retries > 1 ? " to " + std::to_string(used - 1) : "");
 }
 
 /// The lines of what constrains the cells: their aspect, symmetry, walls and inclusions.
@@ -242,7 +243,7 @@ std::string summary_line(const char* label, const std::string& text) {
 
 std::string summary_text(const Job& job, const RunSummary& summary) {
     std::string text = site_lines(job, summary.n_sites);
-    if (summary.seed != job.seed) text += summary_line("seed", seed_text(job, summary));
+    if (summary.retries > 0) text += summary_line("seed", seed_text(job, summary));
     text += summary_line("stop", std::string(stop_name(summary.run.stop)) + " after " +
                                      counted(summary.run.iterations, "iteration") + ", " +
                                      counted(summary.run.evaluations, "evaluation"));

@@ -21,7 +21,7 @@ std::optional<double> number_of(const std::string& path, const std::string& fiel
     return std::nullopt;
 }
 
-/// The number that a file of a control group holds alone; `nullopt` for "max".
+/// The number that a file of a control group holds on its own; `nullopt` for "max".
 std::optional<double> only_number(const std::string& path) {
     std::ifstream file(path);
     double number = 0;

@@ -162,7 +162,7 @@ constexpr std::array kFeatures{
                .is_chosen =
                    [](const Job& job) {
                        return across_walls(job, [&](int axis) {
-                           return (axis == 0 ? job.tile.columns : job.tile.rows) > 1;
+                           return (axis == 0 ? job.tile.repeat.columns : job.tile.repeat.rows) > 1;
                        });
                    }},
     FeatureRow{.feature = F::kTable, .option = "--cells"},

@@ -33,10 +33,11 @@ constexpr double kMostGrainSquares = 1 << 27;
 plane::Reduction reduce_repeated(const Job& job) {
     reduce(job.in_plane().lattice);
     try {
-        return reduce(job.in_plane().lattice.repeated(job.tile.columns, job.tile.rows));
+        return reduce(
+            job.in_plane().lattice.repeated(job.tile.repeat.columns, job.tile.repeat.rows));
     } catch (const InvalidInput& error) {
-        throw InvalidInput("repeated " + std::to_string(job.tile.columns) + " x " +
-                           std::to_string(job.tile.rows) + ": " + error.what());
+        throw InvalidInput("repeated " + std::to_string(job.tile.repeat.columns) + " x " +
+                           std::to_string(job.tile.repeat.rows) + ": " + error.what());
     }
 }
 
@@ -56,7 +57,7 @@ void check_origin(const Job& job, const plane::Reduction& repeated, double n_sit
 }
 
 void check_grains(const Job& job) {
-    const double copies = double(job.tile.columns) * job.tile.rows;
+    const double copies = job.tile.repeat.n_copies();
     const double n = double(job.n_wanted());
     // A regular hexagon with edges cut into k parts has 2.6 k^2 squares over them.
     const double squares =
@@ -69,11 +70,11 @@ void check_grains(const Job& job) {
 }
 
 void check_repetition(const Job& job) {
-    if (job.tile.columns < 1 || job.tile.rows < 1)
+    if (job.tile.repeat.columns < 1 || job.tile.repeat.rows < 1)
         throw InvalidInput("a repetition is below 1; take 1 x 1");
-    if (job.tile.columns <= kMostPeriods && job.tile.rows <= kMostPeriods) return;
-    throw LimitExceeded("repeated " + std::to_string(job.tile.columns) + " x " +
-                        std::to_string(job.tile.rows) + ": more than " +
+    if (job.tile.repeat.columns <= kMostPeriods && job.tile.repeat.rows <= kMostPeriods) return;
+    throw LimitExceeded("repeated " + std::to_string(job.tile.repeat.columns) + " x " +
+                        std::to_string(job.tile.repeat.rows) + ": more than " +
                         std::to_string(kMostPeriods) + " periods in a row; repeat less often");
 }
 
@@ -128,7 +129,7 @@ void check_symmetry(const Job& job) {
 /// @param tags  of the inclusions.
 void require_hole(const std::string& hole, const std::vector<std::string>& tags) {
     if (hole == kMatrixTag) {
-        throw InvalidInput("the cells of the matrix are no hole; name the tags of inclusions");
+        throw InvalidInput("the cells of the matrix are not a hole; name the tags of inclusions");
     }
     if (std::find(tags.begin(), tags.end(), hole) == tags.end()) {
         const std::string meant = nearest_word(hole, tags);
@@ -218,7 +219,7 @@ void check_job(const Job& job) {
     check_repetition(job);
     check_stability(job);
     check_meshes(job);
-    if (n * job.tile.columns * job.tile.rows > plane::kMostSites) {
+    if (n * job.tile.repeat.n_copies() > plane::kMostSites) {
         throw LimitExceeded("more than " + std::to_string(plane::kMostSites) +
                             " cells in one tile; take fewer sites or repeat less often");
     }

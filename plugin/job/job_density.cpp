@@ -22,7 +22,7 @@ namespace {
 constexpr const char* kForeignPictures[] = {".jpg",  ".jpeg", ".gif", ".bmp",  ".tif", ".tiff",
                                             ".webp", ".svg",  ".pgm", ".heic", ".pdf"};
 
-/// Whether a source that is no formula names something that cannot be read as a picture.
+/// Whether a source that is not a formula names something that cannot be read as a picture.
 bool names_no_file(const std::string& source) {
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(source, ignored);

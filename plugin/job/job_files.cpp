@@ -62,13 +62,14 @@ void check_constants(const Job& job, const std::vector<JobFile>& files,
 }  // namespace
 
 FormatRequest format_request(const Job& job) {
-    return {.lattice = job.in_plane().lattice.repeated(job.tile.columns, job.tile.rows),
-            .tile = job.tile,
-            .n_sites = double(job.n_wanted()),
-            .walls = job.walls,
-            .has_holes = !job.holes.empty(),
-            .has_weights = job.has_weights(),
-            .files = job.file_options};
+    return {
+        .lattice = job.in_plane().lattice.repeated(job.tile.repeat.columns, job.tile.repeat.rows),
+        .tile = job.tile,
+        .n_sites = double(job.n_wanted()),
+        .walls = job.walls,
+        .has_holes = !job.holes.empty(),
+        .has_weights = job.has_weights(),
+        .files = job.file_options};
 }
 
 std::vector<JobFile> plan_files(const Job& job) {

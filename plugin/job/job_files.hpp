@@ -29,7 +29,7 @@ std::vector<JobFile> plan_files(const Job& job);
 std::vector<std::string> require_all_writable(const Job& job, const std::vector<JobFile>& files);
 
 /// Requires a file that holds the mid-side nodes of a job of order 2. The files of other formats
-/// hold its corners alone.
+/// hold only its corners.
 /// @throws InvalidInput if the job has files, and none of them holds mid-side nodes.
 void check_order(const Job& job, const std::vector<JobFile>& files);
 

@@ -27,7 +27,7 @@ constexpr double kMovingWithAreas = 980;
 /// Sites of a file, with their lines.
 constexpr double kFromFile = 65;
 
-/// A run that builds its tile for the figures alone.
+/// A run that builds its tile only for the figures.
 constexpr FormatMemory kBuilt{600, 0, 230};
 constexpr FormatMemory kBuiltBox{930, 0, 230};
 /// A tile that is held while others are built and written.
@@ -71,7 +71,7 @@ double n_sites(const Job& job) {
 
 /// The number of triangles of the grains, those with mid-side nodes counted as several.
 double n_grain_triangles(const Job& job) {
-    const double copies = double(job.tile.columns) * job.tile.rows;
+    const double copies = job.tile.repeat.n_copies();
     // Edges of the default size are h / 3; a regular hexagon has edges of 0.62 h.
     const double parts = job.tile.grain_per_edge > 0 ? 1.6 * job.tile.grain_per_edge : 3;
     const double squares = job.tile.grain_size > 0 ? job.in_plane().lattice.area() * copies /
@@ -82,7 +82,7 @@ double n_grain_triangles(const Job& job) {
 
 double mesh_bytes(const Job& job, plane::MeshKind kind, const FormatMemory& bytes) {
     if (mesh_kind_row(kind).grain_size) return bytes.grain * n_grain_triangles(job);
-    const double copies = double(job.tile.columns) * job.tile.rows;
+    const double copies = job.tile.repeat.n_copies();
     const double a_site = kind == plane::MeshKind::kVoronoi ? bytes.cell : 2 * bytes.triangle;
     return a_site * n_sites(job) * (kOfSites + (1 - kOfSites) * copies);
 }
@@ -92,7 +92,7 @@ double voxel_bytes(const Job& job) {
     return double(counts.x) * counts.y * (kVoxel + kVoxelOfALayer * (counts.z - 1));
 }
 
-/// A run that writes this file alone.
+/// A run that writes only this file.
 double file_bytes(const Job& job, const JobFile& file) {
     const plane::MeshKind kind =
         file.mesh < 0 ? plane::MeshKind::kVoronoi : job.meshes[static_cast<std::size_t>(file.mesh)];
@@ -170,7 +170,7 @@ void require_memory_to_write(const Job& job, const std::vector<JobFile>& files) 
 }
 
 void require_memory_for_mesh(const Job& job, plane::MeshKind kind) {
-    const double copies = double(job.tile.columns) * job.tile.rows;
+    const double copies = job.tile.repeat.n_copies();
     if (mesh_kind_row(kind).grain_size) {
         require_available("the tile takes",
                           kHanded.grain * n_grain_triangles(job) * (job.aspect ? kMappedGrains : 1),

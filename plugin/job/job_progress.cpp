@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
+#include "plugin/job/job.hpp"
 
 namespace pcvt {
 namespace {
@@ -41,9 +42,12 @@ double share_of_start(const Progress& progress) {
 
 }  // namespace
 
-JobMonitor::JobMonitor(const JobCallback& callback, const Target& target)
-    : callback_(callback), target_(target), reported_(coarse_time()) {
-    now_ = {.phase = Phase::kStarting, .text = "starting" + target_.note, .fraction = 0, .run = {}};
+JobMonitor::JobMonitor(const JobCallback& callback, const Job& job)
+    : callback_(callback),
+      job_(job),
+      note_(job.retries > 0 ? ", seed " + std::to_string(job.seed) : ""),
+      reported_(coarse_time()) {
+    now_ = {.phase = Phase::kStarting, .text = "starting" + note_, .fraction = 0, .run = {}};
 }
 
 bool JobMonitor::report(const JobProgress& progress) {
@@ -70,7 +74,7 @@ void JobMonitor::require_wanted() const {
 
 bool JobMonitor::start_iteration(const Progress& progress) {
     now_.phase = Phase::kStarting;
-    now_.text = (progress.budget > 0 ? "searching" : "placing the sites") + target_.note;
+    now_.text = (progress.budget > 0 ? "searching" : "placing the sites") + note_;
     now_.fraction = std::clamp(share_of_start(progress), now_.fraction, 1.0);
     now_.run = progress;
     now_.run.positions = nullptr;  // A start moves other sites than the run.
@@ -83,9 +87,9 @@ void JobMonitor::begin_optimising() {
 }
 
 std::string JobMonitor::optimising_words() const {
-    if (!target_.has_areas || target_.run.max_iterations < 0) return "optimising" + target_.note;
+    if (!job_.areas || job_.run.max_iterations < 0) return "optimising" + note_;
     if (first_residual_ < 0) return "fitting the areas";
-    const int n = target_.run.max_iterations;
+    const int n = job_.run.max_iterations;
     return "centroidal step " + std::to_string(std::min(now_.run.iteration + 1, n)) + " of " +
            std::to_string(n);
 }
@@ -94,7 +98,7 @@ void JobMonitor::newton_step(int step, double error) {
     begin_optimising();
     if (first_error_ < 0) first_error_ = error;
     now_.text = optimising_words() + ", Newton step " + std::to_string(step);
-    if (target_.run.max_iterations == 0) {
+    if (job_.run.max_iterations == 0) {
         const double share = share_of_digits(first_error_, error, kAreaGoal);
         now_.fraction = std::clamp(share, now_.fraction, 1.0);
     }
@@ -105,15 +109,15 @@ void JobMonitor::newton_step(int step, double error) {
 bool JobMonitor::iteration(const Progress& progress) {
     begin_optimising();
     if (first_residual_ < 0) first_residual_ = progress.residual;
-    double share = share_of_digits(first_residual_, progress.residual, target_.run.tolerance);
-    if (target_.run.max_iterations > 0) {
-        share = std::max(share, double(progress.iteration) / target_.run.max_iterations);
+    double share = share_of_digits(first_residual_, progress.residual, job_.run.tolerance);
+    if (job_.run.max_iterations > 0) {
+        share = std::max(share, double(progress.iteration) / job_.run.max_iterations);
     }
     now_.fraction = std::clamp(share, now_.fraction, 1.0);
     now_.run = progress;
     now_.text = optimising_words();
     const bool wanted = report(now_);
-    now_.run.positions = nullptr;  // They are valid during this call alone.
+    now_.run.positions = nullptr;  // They are valid only during this call.
     return wanted;
 }
 

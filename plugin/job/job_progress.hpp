@@ -14,6 +14,8 @@
 
 namespace pcvt {
 
+struct Job;
+
 /// The parts of a run, in their order. A run leaves out the parts that it does not need.
 enum class Phase { kStarting, kOptimising, kBuilding, kProving, kWriting };
 
@@ -37,7 +39,7 @@ using JobCallback = std::function<bool(const JobProgress&)>;
 /// while it lives, and so do all threads that help it: each checkpoint of theirs ends a cancelled
 /// run.
 ///
-///   JobMonitor monitor(callback, {.run = {.tolerance = 1e-6}});
+///   JobMonitor monitor(callback, job);
 ///   compute_cvt(lattice, points, {{.progress = [&](auto& p) { return monitor.iteration(p); }}});
 ///   monitor.watch([&] {
 ///       monitor.begin(Phase::kBuilding, "building the tile");
@@ -45,17 +47,11 @@ using JobCallback = std::function<bool(const JobProgress&)>;
 ///   });
 class JobMonitor final : public Client {
    public:
-    /// The ends of the optimisation, from which its fraction follows.
-    struct Target {
-        RunOptions run = {.tolerance = 0};
-        /// Whether the areas of the cells are prescribed; the iterations are then centroidal steps.
-        bool has_areas = false;
-        /// Follows the words of the optimisation, ", seed 4".
-        std::string note = {};
-    };
-
-    /// @param callback  may be empty; must outlive the monitor.
-    JobMonitor(const JobCallback& callback, const Target& target);
+    /// @param callback  may be empty.
+    /// @param job       states the ends of the optimisation, from which its fraction follows.
+    /// Both must outlive the monitor.
+    JobMonitor(const JobCallback& callback, const Job& job);
+    JobMonitor(const JobCallback& callback, Job&& job) = delete;
 
     /// Throws Cancelled in a cancelled run. On the calling thread, calls the callback if it was not
     /// called for a while. Then passes the client for which that thread worked before.
@@ -92,7 +88,9 @@ class JobMonitor final : public Client {
     void require_wanted() const;
 
     const JobCallback& callback_;
-    Target target_;
+    const Job& job_;
+    /// Follows the words of the optimisation, ", seed 4".
+    std::string note_;
     /// The residual of the first iteration and the error of the first Newton step; below 0:
     /// unknown.
     double first_residual_ = -1;

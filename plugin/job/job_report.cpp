@@ -196,7 +196,7 @@ void append_run(JsonWriter& json, const Job& job, const RunSummary& summary) {
     json.member("sites", summary.n_sites);
     std::visit([&](const auto& domain) { json.member("lattice", domain.lattice.periods()); },
                job.domain);
-    json.member("seed", summary.seed);
+    json.member("seed", job.seed);
     json.member("solver", solver_row(job.run.solver).word);
     json.member("start", start_name(job));
     json.member("stop", stop_name(summary.run.stop));

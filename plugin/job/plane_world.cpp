@@ -60,8 +60,9 @@ class PlaneContent {
         return write(tile(file), tile_options(file), file.path());
     }
     std::vector<EncodedFile> encode(const JobFile& file, TorusWriter* write) const {
-        const plane::PeriodicMesh cells = repeated(
-            computation_.cells.mesh(plane::MeshKind::kVoronoi), job_.tile.columns, job_.tile.rows);
+        const plane::PeriodicMesh cells =
+            repeated(computation_.cells.mesh(plane::MeshKind::kVoronoi), job_.tile.repeat.columns,
+                     job_.tile.repeat.rows);
         const Torus torus{.cells = cells,
                           .origin = job_.tile.origin,
                           .site_densities = computation_.site_densities,
@@ -84,8 +85,9 @@ class PlaneContent {
     std::vector<EncodedFile> encode(const JobFile& file, VoxelWriter* write) const {
         const plane::VoxelCounts counts = requested_voxels(format_request(job_));
         const plane::Lattice& lattice = job_.in_plane().lattice;
-        const plane::VoxelGrid grid = voxel_grid(
-            lattice.repeated(job_.tile.columns, job_.tile.rows), job_.tile.origin, counts);
+        const plane::VoxelGrid grid =
+            voxel_grid(lattice.repeated(job_.tile.repeat.columns, job_.tile.repeat.rows),
+                       job_.tile.origin, counts);
         const auto& elongation = computation_.cells.elongation;
         const plane::VoxelCells cells{.lattice = lattice,
                                       .sites = sites(),

@@ -16,18 +16,11 @@
 namespace pcvt {
 namespace {
 
-JobMonitor::Target target_of(const Job& job) {
-    return {.run = job.run,
-            .has_areas = job.areas.has_value(),
-            .note = job.retries > 0 ? ", seed " + std::to_string(job.seed) : ""};
-}
-
 /// The figures that follow from the cells of every run.
 template <class World>
 RunSummary summarize(const Job& job, const Computation<World>& computation) {
     RunSummary summary;
     summary.run = computation.cells.run;
-    summary.seed = job.seed;
     if (job.stability) summary.minimum = minimum_of(computation.cells);
     summary.phases = computation.phases;
     const std::vector<BungeAngles>& orientations = computation.materials.site_orientation;
@@ -104,7 +97,7 @@ std::string remedy_with_retries(const Job& job) {
 template <class World>
 RunSummary run_once(const Job& job, const std::vector<JobFile>& files, const JobCallback& callback,
                     Stopwatch& watch) {
-    JobMonitor monitor(callback, target_of(job));
+    JobMonitor monitor(callback, job);
     const Computation<World> computation = World::compute(job, monitor, watch);
     std::optional<typename World::Tiles> tiles;
     const TileSource<World> build = [&](JobMonitor&) -> const typename World::Tiles& {
@@ -120,7 +113,9 @@ RunSummary run(const Job& job, const std::vector<JobFile>& files, const JobCallb
     Job next = job;
     for (int k = 0;; ++k, ++next.seed) {
         try {
-            return run_once<World>(next, files, callback, watch);
+            RunSummary summary = run_once<World>(next, files, callback, watch);
+            summary.retries = k;
+            return summary;
         } catch (const Cancelled&) {
             return {};
         } catch (const UnsuitableCells& error) {
@@ -142,7 +137,7 @@ std::optional<Computation<World>> compute_job(const Job& job, const JobCallback&
     check_job(job);
     require_memory(job, {});
     Stopwatch watch;
-    JobMonitor monitor(callback, target_of(job));
+    JobMonitor monitor(callback, job);
     try {
         return World::compute(job, monitor, watch);
     } catch (const Cancelled&) {
@@ -158,7 +153,7 @@ RunSummary write_job(const Job& job, const Computation<World>& computation,
     require_all_writable(job, files);
     require_memory_to_write(job, files);
     Stopwatch watch(computation.seconds);
-    JobMonitor monitor(callback, target_of(job));
+    JobMonitor monitor(callback, job);
     try {
         return finish<World>(job, files, computation, tiles, monitor, watch);
     } catch (const Cancelled&) {

@@ -58,8 +58,8 @@ struct RunSummary {
     /// length^4, in space length^5.
     RunStatistics run = {.stop = Stop::kCancelled};
     int n_sites = 0;
-    /// The seed that was used, which follows Job::seed where outputs refused the seeds before it.
-    std::uint64_t seed = 0;
+    /// The number of seeds, from Job::seed on, whose cells an output refused.
+    int retries = 0;
     /// The energy of as many regular hexagons, or of truncated octahedra; `nullopt` with a density.
     std::optional<double> energy_bound = {};
     /// The answer of minimum_of(), where the job asks for the stability.

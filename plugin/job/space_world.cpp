@@ -94,9 +94,10 @@ void require_closed_boundary(const Job& job, const std::vector<JobFile>& files,
     if (proof.boundary_is_manifold) return;
     for (const JobFile& file : files) {
         if (!file.format->space->shows_boundary(job.file_options.surfaces)) continue;
-        throw InvalidInput("-o " + file.path() +
-                           ": the boundary of this tile touches itself, so that it is no surface; "
-                           "take the surfaces of the cells as .obj, .ply or .glb, or other sites");
+        throw InvalidInput(
+            "-o " + file.path() +
+            ": the boundary of this tile touches itself, so that it is not a surface; "
+            "take the surfaces of the cells as .obj, .ply or .glb, or other sites");
     }
 }
 

@@ -94,7 +94,7 @@ std::vector<double> read_numbers(const std::string& text) {
         const auto [rest, error] = std::from_chars(text.data() + begin, text.data() + end, number);
         if (error != std::errc() || rest != text.data() + end) {
             throw std::invalid_argument("period vectors: '" + text.substr(begin, end - begin) +
-                                        "' is no number");
+                                        "' is not a number");
         }
         numbers.push_back(number);
         begin = text.find_first_not_of(kGaps, end);

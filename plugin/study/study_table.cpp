@@ -58,7 +58,7 @@ double StudyTable::number(const StudyRow& row, const std::string& name) const {
         const double size = std::abs(value);
         if (size == 0 || (size >= 1 / kLargest && size <= kLargest)) return value;
         throw InvalidInput(in_quotes(word) +
-                           " is no figure of a run; the table is damaged, make it again");
+                           " is not a figure of a run; the table is damaged, make it again");
     } catch (const InvalidInput& error) {
         throw InvalidInput("column " + name + ": " + error.what());
     }

@@ -55,7 +55,7 @@ std::vector<plane::Tile> example_tiles() {
     for (const plane::TileOptions& options :
          {plane::TileOptions{.kind = plane::MeshKind::kVoronoi},
           plane::TileOptions{.kind = plane::MeshKind::kVoronoi, .outline = plane::Outline::kBox},
-          plane::TileOptions{.kind = plane::MeshKind::kDelaunay, .columns = 2},
+          plane::TileOptions{.kind = plane::MeshKind::kDelaunay, .repeat = {2, 1}},
           plane::TileOptions{.kind = plane::MeshKind::kGrains, .grain_per_edge = 1},
           plane::TileOptions{.kind = plane::MeshKind::kGrains, .grain_per_edge = 1, .order = 2}}) {
         tiles.push_back(build_tile(few_sites(3), options).tile);

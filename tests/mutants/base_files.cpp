@@ -24,10 +24,10 @@ struct Shape {
 std::vector<Shape> shapes() {
     return {{"voronoi whole", {.kind = plane::MeshKind::kVoronoi}},
             {"voronoi box", {.kind = plane::MeshKind::kVoronoi, .outline = plane::Outline::kBox}},
-            {"voronoi whole 2x1", {.kind = plane::MeshKind::kVoronoi, .columns = 2}},
+            {"voronoi whole 2x1", {.kind = plane::MeshKind::kVoronoi, .repeat = {2, 1}}},
             {"voronoi short-edges", {.kind = plane::MeshKind::kVoronoi, .short_edges = 0.2}},
             {"delaunay", {.kind = plane::MeshKind::kDelaunay}},
-            {"delaunay 1x2", {.kind = plane::MeshKind::kDelaunay, .rows = 2}},
+            {"delaunay 1x2", {.kind = plane::MeshKind::kDelaunay, .repeat = {1, 2}}},
             {"grains whole", {.kind = plane::MeshKind::kGrains, .grain_per_edge = 1}},
             {"grains box", {.kind = plane::MeshKind::kGrains, .outline = plane::Outline::kBox}}};
 }
@@ -36,7 +36,7 @@ std::vector<Shape> power_shapes() {
     return {
         {"voronoi power", {.kind = plane::MeshKind::kVoronoi}},
         {"voronoi power box", {.kind = plane::MeshKind::kVoronoi, .outline = plane::Outline::kBox}},
-        {"voronoi power 2x1", {.kind = plane::MeshKind::kVoronoi, .columns = 2}},
+        {"voronoi power 2x1", {.kind = plane::MeshKind::kVoronoi, .repeat = {2, 1}}},
         {"delaunay power", {.kind = plane::MeshKind::kDelaunay}},
         {"grains power", {.kind = plane::MeshKind::kGrains, .grain_per_edge = 1}}};
 }

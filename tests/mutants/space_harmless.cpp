@@ -7,7 +7,7 @@ namespace pcvt::testing {
 namespace {
 
 constexpr std::string_view kLongerBound =
-    "another bound of the removed edges, which the proof alone reads";
+    "another bound of the removed edges, which only the proof reads";
 constexpr std::string_view kMovedCorners = "less than the distance by which corners were moved";
 
 }  // namespace

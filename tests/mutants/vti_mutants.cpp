@@ -13,7 +13,7 @@ constexpr std::string_view kNoCentre = "the centre of no voxel comes into anothe
 constexpr std::string_view kSameLattice = "other period vectors of the same lattice";
 constexpr std::string_view kText = "text is the default";
 constexpr std::string_view kOwn = "the laws of the materials are the user's";
-constexpr std::string_view kNowhereElse = "the materials of the cells are stated here alone";
+constexpr std::string_view kNowhereElse = "the materials of the cells are stated only here";
 
 /// Names the words of the materials by the section and the key of their line.
 class YamlNamer {

@@ -26,7 +26,7 @@ std::span<const Harmless> harmless_in_vtu() {
         Harmless{"Metric*", "", kNotShown, "grains"},
         Harmless{"VTKFile *", "", "the versions of the format do not differ in what it uses"},
         Harmless{"ShortEdges value", "",
-                 "a longer bound of the removed edges, which the proof alone reads"},
+                 "a longer bound of the removed edges, which only the proof reads"},
         Harmless{"Points Name*", "", "VTK finds the points by their element"},
         Harmless{"Points value", "", "a node inside of a grain; the mesh is another one", "grains"},
         Harmless{"connectivity row", "swap", "the order of the elements of one cell"},

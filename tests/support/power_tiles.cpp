@@ -39,7 +39,7 @@ std::vector<plane::TileOptions> tile_kinds() {
         plane::TileOptions& options = kinds.emplace_back();
         options.kind = kind;
         options.outline = outline;
-        options.columns = columns;
+        options.repeat.columns = columns;
         return options;
     };
     for (const int columns : {1, 2}) {
@@ -49,7 +49,7 @@ std::vector<plane::TileOptions> tile_kinds() {
             plane::TileOptions& second_order = add(plane::MeshKind::kGrains, outline, columns);
             second_order.grain_per_edge = 1;
             second_order.order = 2;
-            second_order.rows = 2;
+            second_order.repeat.rows = 2;
         }
         add(plane::MeshKind::kDelaunay, plane::Outline::kWhole, columns);
     }

@@ -243,7 +243,7 @@ class ClippedObjective final : public Objective {
 
 /// A power of two near h.
 double unit_of(const Lattice& lattice, const Points& points) {
-    if (points.cols() == 0) throw InvalidInput("there is no site; give at least one");
+    if (points.cols() == 0) throw InvalidInput("no sites are given; give at least one");
     return std::exp2(std::round(std::log2(lattice.area() / double(points.cols())) / 2));
 }
 

@@ -55,7 +55,7 @@ std::size_t best_ear(const std::vector<EarEntry>& ring) {
         best = i;
         best_quality = quality;
     }
-    if (best_quality < 0) throw InternalError("a cell is no polygon that can be triangulated");
+    if (best_quality < 0) throw InternalError("a cell is not a polygon that can be triangulated");
     return best;
 }
 

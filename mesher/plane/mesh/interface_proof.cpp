@@ -47,7 +47,7 @@ std::optional<std::string> interface_violation(const PeriodicMesh& cells,
     const std::vector<int> halfedges = chord_halfedges(cells, interfaces.chords);
     std::vector<bool> is_chord(static_cast<std::size_t>(cells.n_corners()), false);
     for (std::size_t k = 0; k < halfedges.size(); ++k) {
-        if (halfedges[k] < 0) return "chord " + std::to_string(k) + " is no edge of the cells";
+        if (halfedges[k] < 0) return "chord " + std::to_string(k) + " is not an edge of the cells";
         is_chord[halfedges[k]] = true;
         is_chord[cells.opposite[halfedges[k]]] = true;
     }
@@ -61,7 +61,7 @@ std::optional<std::string> interface_violation(const PeriodicMesh& cells,
         if ((inclusion[here] != beyond) == is_chord[c]) continue;
         return "the edge between sites " + std::to_string(here) + " and " + std::to_string(there) +
                (is_chord[c] ? " is a chord inside of one material"
-                            : " lies between materials and is no chord");
+                            : " lies between materials and is not a chord");
     }
     // Law (3).
     std::vector<double> area(interfaces.polygons.size(), 0.0);

@@ -9,6 +9,7 @@
 #include "mesher/plane/geometry/walled_domain.hpp"
 #include "mesher/plane/mesh/elongated_mesh.hpp"
 #include "mesher/plane/mesh/outline.hpp"
+#include "mesher/torus/repetition.hpp"
 
 namespace pcvt::plane {
 
@@ -44,9 +45,8 @@ struct TileOptions {
     int grain_per_edge = 0;
     /// The order of the triangles of grains, as Tile::order.
     int order = 1;
-    /// The tile covers columns x rows domains and is a tile of that lattice.
-    int columns = 1;
-    int rows = 1;
+    /// The tile covers these copies of the domain and is a tile of their lattice.
+    Repetition repeat = {};
     /// Corner of the domain, length units.
     Vec2 origin = Vec2::Zero();
     /// Moves the box outline to where its shortest edge is longest, instead of to `origin`.

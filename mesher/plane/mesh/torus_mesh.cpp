@@ -42,11 +42,11 @@ class TorusMesher {
         PeriodicMesh joined = without_shortest(domain);
         const Vec2 corner = domain_corner(copies(joined));
         const Metric metric = options_.elongation ? options_.elongation->metric : Metric();
-        FittedCells fitted =
-            options_.outline == Outline::kWhole
-                ? fit_areas(domain, std::move(joined), metric, weights_)
-                : fit_areas_in_box(domain, joined, metric, weights_,
-                                   {options_.columns, options_.rows, corner, snap_distance()});
+        FittedCells fitted = options_.outline == Outline::kWhole
+                                 ? fit_areas(domain, std::move(joined), metric, weights_)
+                                 : fit_areas_in_box(domain, joined, metric, weights_,
+                                                    {options_.repeat.columns, options_.repeat.rows,
+                                                     corner, snap_distance()});
         TorusMesh torus{copies(std::move(fitted.cells)), corner, std::move(fitted.weights),
                         fitted.largest_relative_error};
         return fitted.cut ? in_pieces(std::move(torus), std::move(*fitted.cut))
@@ -77,7 +77,7 @@ class TorusMesher {
 
    private:
     PeriodicMesh copies(PeriodicMesh domain) const {
-        return repeated(std::move(domain), options_.columns, options_.rows);
+        return repeated(std::move(domain), options_.repeat.columns, options_.repeat.rows);
     }
 
     /// The length below which edges are removed, length units; 0: none.
@@ -133,7 +133,8 @@ class TorusMesher {
         return options_.outline == Outline::kBox && options_.walled->walls != Walls::kXY;
     }
     Vec2 corner_between_walls() const {
-        const WalledDomain domain = options_.walled->repeated(options_.columns, options_.rows);
+        const WalledDomain domain =
+            options_.walled->repeated(options_.repeat.columns, options_.repeat.rows);
         Vec2 corner = options_.origin;
         const int axis = domain.walls == Walls::kX ? 0 : 1;
         corner[axis] = -side_length(domain.lattice, axis) / 2;
@@ -145,8 +146,9 @@ class TorusMesher {
     /// @param cells, joined  with their mirror images.
     FittedCells fit_between_walls(const PeriodicMesh& cells, PeriodicMesh joined) const {
         const int n = options_.walled->n_sites;
-        const int n_copies = options_.columns * options_.rows;
-        const WalledDomain domain = options_.walled->repeated(options_.columns, options_.rows);
+        const int n_copies = options_.repeat.columns * options_.repeat.rows;
+        const WalledDomain domain =
+            options_.walled->repeated(options_.repeat.columns, options_.repeat.rows);
         const AreaMeasure measure = [&](const PeriodicMesh& mesh) -> Eigen::VectorXd {
             if (!cuts_between_walls()) return areas_by_site(mesh, n);
             const PeriodicMesh pieces = box_cut(copies(mesh), corner_between_walls()).pieces;
@@ -166,7 +168,8 @@ class TorusMesher {
 /// Sets the corners of the domain.
 TorusMesh with_corners(TorusMesh torus, const TileOptions& options) {
     if (options.walled) {
-        const WalledDomain domain = options.walled->repeated(options.columns, options.rows);
+        const WalledDomain domain =
+            options.walled->repeated(options.repeat.columns, options.repeat.rows);
         torus.corner = options.origin;
         torus.opposite_corner = options.origin + domain.lattice.a() + domain.lattice.b();
     } else if (torus.is_cut()) {

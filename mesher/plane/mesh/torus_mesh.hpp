@@ -43,7 +43,7 @@ PeriodicMesh domain_mesh(const PeriodicDelaunay& delaunay, const TileOptions& op
 /// cuts it along the box, as the options say.
 ///
 /// Example usage:
-///   const TileOptions options{.outline = Outline::kBox, .columns = 2};
+///   const TileOptions options{.outline = Outline::kBox, .repeat = {2, 1}};
 ///   const TorusMesh torus = torus_mesh(domain_mesh(delaunay, options), delaunay, options);
 ///
 /// @param domain  domain_mesh().

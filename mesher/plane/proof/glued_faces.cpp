@@ -309,7 +309,7 @@ class HoleWalk {
         if (offset != Offset{}) refuse(first, "goes round the torus");
         std::reverse(polygon.begin(), polygon.end());
         if (!(polygon_area(polygon) > 0) || crosses_itself(polygon, tolerance_)) {
-            refuse(first, "is no simple polygon");
+            refuse(first, "is not a simple polygon");
         }
         return polygon;
     }

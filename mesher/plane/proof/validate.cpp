@@ -61,7 +61,7 @@ void require_true_copies(const Tile& tile) {
         const int v = tile.copies[k];
         if (n > 0 && v >= 0 && v < n && tile.points[v] == tile.points[n + k]) continue;
         throw_violation(kFaceLaw,
-                        "vertex " + to_string(n + k) + " is no copy of vertex " + to_string(v));
+                        "vertex " + to_string(n + k) + " is not a copy of vertex " + to_string(v));
     }
 }
 

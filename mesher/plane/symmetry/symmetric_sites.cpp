@@ -130,7 +130,7 @@ void require_plan(const PlaneGroup& group, const SpecialPositions& special, cons
     const std::int64_t most = kMostSites / group.order();
     if (plan.n_general > most) throw InvalidInput("there are more than 2^28 sites");
     if (n_sites(group, special, plan) < 1) {
-        throw InvalidInput("there is no site; give at least one");
+        throw InvalidInput("no sites are given; give at least one");
     }
 }
 

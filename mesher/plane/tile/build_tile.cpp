@@ -44,7 +44,7 @@ struct LaidOut {
 
 /// The domain of the tile: columns x rows domains between walls.
 WalledDomain walled_domain(const TileOptions& options) {
-    return options.walled->repeated(options.columns, options.rows);
+    return options.walled->repeated(options.repeat.columns, options.repeat.rows);
 }
 
 /// The entries of the faces between walls.
@@ -160,8 +160,8 @@ BuiltTile build_tile(PeriodicMesh domain, const PeriodicDelaunay& delaunay,
     if (options.elongation) tile.metric = options.elongation->metric;
     tile.site_weights.assign(weights.begin(), weights.end());
     tile.grain_site_points = std::move(laid_out.grain_site_points);
-    tile.columns = options.columns;
-    tile.rows = options.rows;
+    tile.columns = options.repeat.columns;
+    tile.rows = options.repeat.rows;
     tile.short_edges = options.short_edges;
     if (options.kind == MeshKind::kGrains) tile.order = options.order;
     tile = with_holes(std::move(tile), options.holes);

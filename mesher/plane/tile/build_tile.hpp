@@ -50,7 +50,7 @@ struct BuiltTile {
 /// Builds a tile from a tessellation.
 ///
 /// Example usage:
-///   BuiltTile grains = build_tile(result.delaunay, {.kind = MeshKind::kGrains, .columns = 2});
+///   BuiltTile grains = build_tile(result.delaunay, {.kind = MeshKind::kGrains, .repeat = {2, 1}});
 ///   verify_generated_tile(grains.tile);
 ///
 /// Repeats the tessellation, removes short edges (power cells keep their areas, by other weights:

@@ -29,7 +29,7 @@ Offset to_offset(const Vec2i& v) { return {v[0], v[1]}; }
 }
 
 [[noreturn]] void refuse_mesh(const std::string& complaint) {
-    throw InvalidInput("the OpenMesh structure is no tile: " + complaint);
+    throw InvalidInput("the OpenMesh structure is not a tile: " + complaint);
 }
 
 /// Turns arrays into a mesh.
@@ -277,7 +277,7 @@ class ArrayBuilder {
             if (orbit < 0 || orbit >= static_cast<int>(mesh_.n_vertices()) ||
                 mesh_.property(id_.orbit, VertexHandle(orbit)) != orbit) {
                 refuse_mesh("vertex " + to_string(v.idx()) + " has the orbit " + to_string(orbit) +
-                            ", which is no representative");
+                            ", which is not a representative");
             }
             if (orbit == v.idx()) continue;
             arrays_.vertex_pairs.push_back(

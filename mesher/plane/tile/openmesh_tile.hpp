@@ -49,7 +49,7 @@ using OpenMeshTile = std::variant<CellTile, TriangleTile>;
 /// Converts arrays to an OpenMesh structure: polygons for Voronoi cells, triangles for the other
 /// kinds.
 /// @throws InvalidInput if OpenMesh cannot hold the faces, because they do not form a surface (then
-///         OpenMesh writes a line to std::cerr, too), name vertices that do not exist, or are no
+///         OpenMesh writes a line to std::cerr, too), name vertices that do not exist, or are not
 ///         triangles where the kind has them; if the pairs do not match each boundary edge with
 ///         exactly one other; or if the tile has copies of vertices.
 OpenMeshTile openmesh_tile(const Tile& tile);

@@ -168,7 +168,7 @@ class HoleCutter {
         }
         if (is_proper) return;
         throw InvalidInput(
-            "the Delaunay triangles outside of the holes are no surface, because holes are too "
+            "the Delaunay triangles outside of the holes are not a surface, because holes are too "
             "near to each other; take the mesh grains, or more sites");
     }
 

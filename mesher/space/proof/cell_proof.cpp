@@ -68,8 +68,8 @@ std::vector<int> prove_closed(const PolyhedralMesh& mesh, int cell, std::span<co
                                 static_cast<std::ptrdiff_t>(sides.size() / 2) +
                                 static_cast<std::ptrdiff_t>(uses.size());
     if (characteristic != 2) {
-        throw_violation(kCells, words("cell", cell) +
-                                    " is no ball: V - E + F = " + std::to_string(characteristic));
+        throw_violation(kCells, words("cell", cell) + " is not a ball: V - E + F = " +
+                                    std::to_string(characteristic));
     }
     return points;
 }

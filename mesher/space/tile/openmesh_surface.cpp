@@ -68,7 +68,7 @@ TileSurface tile_surface(const OpenMeshSurface& surface) {
     TileSurface arrays{.lattice =
                            Lattice({n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]})};
     const std::vector<double>& sites = mesh.property(surface.sites);
-    if (sites.size() % 3 != 0) throw InvalidInput("the sites of the surface are no triples");
+    if (sites.size() % 3 != 0) throw InvalidInput("the sites of the surface are not triples");
     arrays.sites =
         Eigen::Map<const Points>(sites.data(), 3, static_cast<Eigen::Index>(sites.size() / 3));
     for (const auto v : mesh.vertices()) {

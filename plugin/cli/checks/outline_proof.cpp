@@ -65,7 +65,7 @@ class OutlineProof {
                 std::any_of(edges_.begin(), edges_.end(), [&](const OutlineEdge& outline) {
                     return (outline.from - corner).norm() <= near_;
                 });
-            if (!found) refute("its corner" + place_in_words(corner) + " is no vertex");
+            if (!found) refute("its corner" + place_in_words(corner) + " is not a vertex");
         }
     }
 

@@ -45,7 +45,7 @@ void add_file_choices(CLI::App& app, FileChoices& choices, NumberTexts& numbers)
     app.add_option("--job", choices.job,
                    "of .inp: materials and steps besides the mesh, so that CalculiX runs\n"
                    "the file as it is; elastic: the homogenised stiffness, with the constants\n"
-                   "of --material [the mesh alone, to *INCLUDE in a job]")
+                   "of --material [only the mesh, to *INCLUDE in a job]")
         ->type_name(listed_words(kSolverJobs, "|", "|"));
     add_number(app, "--thickness", numbers);
     app.add_option("--surface", choices.surface,

@@ -63,11 +63,6 @@ space::Lattice box_lattice(const std::string& option, const std::string& text);
 /// "AX,AY,AZ,BX,BY,BZ,CX,CY,CZ", three independent vectors.
 space::Lattice space_lattice(const std::string& option, const std::string& text);
 
-struct Repetition {
-    int columns;
-    int rows;
-};
-
 /// "F" or "F,BETA", both finite.
 std::array<double, 2> coriolis_parameter(const std::string& option, const std::string& text);
 

@@ -65,7 +65,7 @@ TEST(SiteClasses, NeighboursDifferAcrossTheSeamAsWell) {
             expect_neighbours_differ(random_tile(lattice, n, {}));
             expect_neighbours_differ(random_tile(lattice, n, {.outline = plane::Outline::kBox}));
             expect_neighbours_differ(random_tile(lattice, n, {.kind = plane::MeshKind::kGrains}));
-            expect_neighbours_differ(random_tile(lattice, n, {.columns = 2, .rows = 3}));
+            expect_neighbours_differ(random_tile(lattice, n, {.repeat = {2, 3}}));
         }
     }
 }
@@ -84,7 +84,8 @@ TEST(SiteClasses, GroupsOfSitesHaveOneClassAndDifferFromTheirNeighbours) {
         for (const plane::MeshKind kind : {plane::MeshKind::kVoronoi, plane::MeshKind::kGrains}) {
             const plane::PeriodicDelaunay delaunay(plane::Sites(lattice, points));
             expect_neighbours_differ(build_tile(delaunay, {.kind = kind}).tile, group);
-            expect_neighbours_differ(build_tile(delaunay, {.kind = kind, .rows = 2}).tile, group);
+            expect_neighbours_differ(build_tile(delaunay, {.kind = kind, .repeat = {1, 2}}).tile,
+                                     group);
         }
     }
 }

@@ -22,7 +22,7 @@ const std::vector<plane::Tile>& tiles() {
         }
         made.push_back(testing::holed_tile({.kind = plane::MeshKind::kGrains, .order = 2}));
         made.push_back(testing::holed_tile({.kind = plane::MeshKind::kDelaunay}));
-        made.push_back(testing::holed_tile({.columns = 2}));
+        made.push_back(testing::holed_tile({.repeat = {2, 1}}));
         return made;
     }();
     return tiles;

@@ -32,7 +32,7 @@ std::vector<plane::Tile> entity_tiles() {
     std::vector<plane::Tile> all = testing::solver_tiles(testing::awkward_lattices());
     for (const int n : {1, 2, 7, 60}) {
         all.push_back(tile_of(n, {.kind = plane::MeshKind::kDelaunay}));
-        all.push_back(tile_of(n, {.kind = plane::MeshKind::kGrains, .order = 2, .columns = 2}));
+        all.push_back(tile_of(n, {.kind = plane::MeshKind::kGrains, .order = 2, .repeat = {2, 1}}));
         all.push_back(
             tile_of(n, {.kind = plane::MeshKind::kGrains, .outline = plane::Outline::kBox}));
     }

@@ -46,7 +46,8 @@ TEST(AreaReader, DiametersAreThoseOfCircles) {
 }
 
 TEST(AreaReader, EachFaultNamesItsLineAndARemedy) {
-    EXPECT_THAT(area_fault("1\n-2\n"), StartsWith("a.txt:2: '-2' is no size of a cell; give a "));
+    EXPECT_THAT(area_fault("1\n-2\n"),
+                StartsWith("a.txt:2: '-2' is not the size of a cell; give a "));
     for (const char* zero : {"0", "-0", "0.0", "0e9"}) {
         EXPECT_THAT(area_fault("1\n\n" + std::string(zero)), StartsWith("a.txt:3: ")) << zero;
     }
@@ -54,8 +55,9 @@ TEST(AreaReader, EachFaultNamesItsLineAndARemedy) {
         EXPECT_THAT(area_fault("1\n" + std::string(word) + "\n"), StartsWith("a.txt:2: ")) << word;
     }
     EXPECT_THAT(area_fault("1e400"), StartsWith("a.txt:1: '1e400' is beyond the range"));
-    EXPECT_THAT(area_fault("1e160"), StartsWith("a.txt:1: '1e160' is no size of a cell; "));
-    EXPECT_THAT(area_fault("1\n1e-160"), StartsWith("a.txt:2: '1e-160' is no size of a cell; "));
+    EXPECT_THAT(area_fault("1e160"), StartsWith("a.txt:1: '1e160' is not the size of a cell; "));
+    EXPECT_THAT(area_fault("1\n1e-160"),
+                StartsWith("a.txt:2: '1e-160' is not the size of a cell; "));
     EXPECT_THAT(area_fault("1,5"), StartsWith("a.txt:1: '1,5' is not a number; "));
     EXPECT_THAT(area_fault("1 2"), StartsWith("a.txt:1: this line has 2 words; write one area"));
 }

@@ -90,7 +90,7 @@ TEST(DensityExpression, FaultsNameTheirCharacter) {
     EXPECT_THAT(expression_refusal("u = 3"), StartsWith("character 3: an assignment"));
     EXPECT_THAT(expression_refusal("1 + (v = 3)"), StartsWith("character 8: an assignment"));
     EXPECT_THAT(expression_refusal("2 + u**2"),
-                StartsWith("character 6: ** is no operator; write ^"));
+                StartsWith("character 6: ** is not an operator; write ^"));
     EXPECT_THAT(expression_refusal("u > 1 ? 2"), StartsWith("character 10: "));
     for (const char* bad : {"", " ", "1 2", "\"text\"", "1e400", "0x10", "u'", "@", "=", "u="}) {
         EXPECT_THAT(expression_refusal(bad), StartsWith("character ")) << bad;

@@ -47,7 +47,7 @@ TEST(InclusionReader, ShapesTagsAndLinesAreRead) {
 
 TEST(InclusionReader, EachFaultNamesItsLineAndARemedy) {
     EXPECT_THAT(inclusion_fault("# a\nsquare a 1 2 3\n"),
-                StartsWith("i.txt:2: 'square' is no shape; write \"circle TAG x y r\""));
+                StartsWith("i.txt:2: 'square' is not a shape; write \"circle TAG x y r\""));
     EXPECT_THAT(inclusion_fault("circle\n"), StartsWith("i.txt:1: a tag is missing; write"));
     EXPECT_EQ(inclusion_fault("circle a 1 2\n"),
               "i.txt:1: a circle does not take 2 numbers; write \"circle TAG x y r\"");

@@ -73,12 +73,13 @@ TEST(PhaseReader, WrongTablesAreOneLineWithARemedy) {
 }
 
 TEST(PhaseReader, NamesAreThoseOfSolvers) {
-    EXPECT_EQ(phases_of("id,phase\n1,Iron bcc\n"),
-              "p.csv:2: column 'phase': 'Iron bcc' is no name of a phase; take 1 to 60 letters, "
-              "digits, _ or -");
+    EXPECT_EQ(
+        phases_of("id,phase\n1,Iron bcc\n"),
+        "p.csv:2: column 'phase': 'Iron bcc' is not the name of a phase; take 1 to 60 letters, "
+        "digits, _ or -");
     EXPECT_EQ(phases_of("a\n" + std::string(61, 'b')),
               "p.csv:2: '" + std::string(40, 'b') +
-                  "' is no name of a phase; take 1 to 60 letters, digits, _ or -");
+                  "' is not the name of a phase; take 1 to 60 letters, digits, _ or -");
     EXPECT_EQ(phases_of("b\nA\n\na\n"),
               "p.csv:4: the phase a is given twice, because case does not matter; rename one");
     EXPECT_EQ(phases_of(std::string(60, 'b')), std::string(60, 'b'));

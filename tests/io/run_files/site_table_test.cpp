@@ -79,10 +79,11 @@ TEST(SiteTable, AColumnThatARowFillsIsFilledInAllRows) {
               "t.csv:2: column 'phase': the field is empty; fill it" + remedy);
     EXPECT_EQ(site_table_fault("x,y,phi1,Phi,phi2\n1,2,,,\n3,4,,,5\n"),
               "t.csv:2: column 'phi1': the field is empty; give a number" + remedy);
-    EXPECT_EQ(site_table_fault("x,y,phase\n1,2,Iron bcc\n"),
-              "t.csv:2: column 'phase': 'Iron bcc' is no name of a phase; take 1 to 60 letters, "
-              "digits, _ or -" +
-                  remedy);
+    EXPECT_EQ(
+        site_table_fault("x,y,phase\n1,2,Iron bcc\n"),
+        "t.csv:2: column 'phase': 'Iron bcc' is not the name of a phase; take 1 to 60 letters, "
+        "digits, _ or -" +
+            remedy);
 }
 
 TEST(SiteTable, ColumnsThatAreNotWantedMayHoldAnything) {

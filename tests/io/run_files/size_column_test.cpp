@@ -87,12 +87,13 @@ TEST(SizeColumn, VolumesAreNotForThePlane) {
 }
 
 TEST(SizeColumn, AFeatureOfNumberZeroIsRefusedWithTheReason) {
+    EXPECT_EQ(reading("Feature_ID,d\n0,0\n1,2\n"),
+              "g.csv:2: column 'd': '0' is not the size of a cell, but exporters list a feature 0 "
+              "without "
+              "a size; remove the line");
     EXPECT_EQ(
-        reading("Feature_ID,d\n0,0\n1,2\n"),
-        "g.csv:2: column 'd': '0' is no size of a cell, but exporters list a feature 0 without "
-        "a size; remove the line");
-    EXPECT_EQ(reading("Feature_ID,d\n1,2\n2,0\n"),
-              "g.csv:3: column 'd': '0' is no size of a cell; give a number from 1e-150 to 1e150");
+        reading("Feature_ID,d\n1,2\n2,0\n"),
+        "g.csv:3: column 'd': '0' is not the size of a cell; give a number from 1e-150 to 1e150");
 }
 
 TEST(SizeColumn, OneColumnWithDecimalCommasNeedsAHeader) {

@@ -29,7 +29,7 @@ plane::Tile grains(plane::Outline outline, int columns = 1) {
     const plane::Lattice lattice({1, 0}, {0.37, 0.81});
     return build_tile(
                plane::PeriodicDelaunay(plane::Sites(lattice, uniform_points(lattice, kSites, 3))),
-               {.kind = plane::MeshKind::kGrains, .outline = outline, .columns = columns})
+               {.kind = plane::MeshKind::kGrains, .outline = outline, .repeat = {columns, 1}})
         .tile;
 }
 

@@ -164,7 +164,7 @@ TEST(Msh, FaultsNameTheirLine) {
     EXPECT_THAT(msh_fault_with("\n1 0 0\n", "\n1 0\n"),
                 HasSubstr(": the line has 2 words where 3 "));
     EXPECT_THAT(msh_fault_with("2 1 2 2\n", "2 1 3 2\n"),
-                HasSubstr(": elements of type 3 are no tri"));
+                HasSubstr(": elements of type 3 are not tri"));
     EXPECT_THAT(msh_fault_with("2 1 2 2\n", "2 1 2 -2\n"), HasSubstr(": a count is negative; "));
     EXPECT_THAT(msh_fault_with("\n1 1 2 4\n", "\n1 1 2 5\n"),
                 HasSubstr(": node 5 does not exist; "));

@@ -171,7 +171,8 @@ TEST(Vtu, PhasesThatAreNoneAreRefused) {
     EXPECT_THAT(fault(phases, testing::exchanged(phases, "\n0\n1", "\n0\n2")),
                 HasSubstr("without a name"));
     EXPECT_THAT(fault(phases, testing::exchanged(phases, "1\n0\n", "1\n")), HasSubstr("phases"));
-    EXPECT_THAT(fault("115 111 102 116 0", "33 111 102 116 0"), HasSubstr("is no name of a phase"));
+    EXPECT_THAT(fault("115 111 102 116 0", "33 111 102 116 0"),
+                HasSubstr("is not the name of a phase"));
     EXPECT_THAT(fault("50 110 100 0", "50 110 100"), HasSubstr("does not end with 0"));
     EXPECT_THAT(fault("50 110 100 0", "50 110 10 0"), HasSubstr("a character that is none"));
     EXPECT_THAT(fault("PhaseNames", "Names"), HasSubstr("lacks the array FieldData/PhaseNames"));

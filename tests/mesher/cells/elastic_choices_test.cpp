@@ -38,10 +38,10 @@ TEST(ElasticChoices, OtherTextsAreRefusedWithTheEntry) {
              {"a:1,0.3,", "not the constants"},
              {"a:1", "has 2, 3 or 5 elastic constants, not 1"},
              {"a:1,0.5", "nu between -1 and 0.5"},
-             {":1,0.3", "is no name of a phase"},
+             {":1,0.3", "is not the name of a phase"},
              {"a:1,0.3 A:2,0.3", "given twice"},
              {"same a:1,0.3", "exclude each other"},
-             {"a\x01:1,0.3", "'a?' is no name of a phase"}}) {
+             {"a\x01:1,0.3", "'a?' is not the name of a phase"}}) {
         const std::string& given = text;
         EXPECT_THAT(fault_of_choices([&] { parse_elastic_choices(given); }), HasSubstr(words))
             << given;

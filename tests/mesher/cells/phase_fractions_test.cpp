@@ -35,7 +35,7 @@ TEST(PhaseFractions, RefusalsSayWhatToWrite) {
     for (const char* text : {"", "a", "a:", ":", "a:x", "a:0.5,", "a:1 ", "a:0,3", "a:1:2"}) {
         expect_refusal(text, "; ");
     }
-    expect_refusal("a:0.5,b", "'b' is no phase; write NAME:FRACTION");
+    expect_refusal("a:0.5,b", "'b' is not a phase; write NAME:FRACTION");
     expect_refusal(":1", "no name of a phase");
     expect_refusal("two words:1", "no name of a phase");
     expect_refusal("\xc3\xa4:1", "no name of a phase");
@@ -44,7 +44,7 @@ TEST(PhaseFractions, RefusalsSayWhatToWrite) {
     expect_refusal("a:0,b:1", "above 0");
     expect_refusal("a:nan", "above 0");
     expect_refusal("a:inf", "above 0");
-    expect_refusal("a:1e999", "is no phase");
+    expect_refusal("a:1e999", "is not a phase");
     expect_refusal("ferrite:0.5,Ferrite:0.5", "given twice");
 }
 

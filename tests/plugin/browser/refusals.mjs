@@ -23,7 +23,7 @@ const wrong = [
     ['density', { sites: 10, density: '1 +' }],
     ['density', { sites: 10, density: 'q' }],
     ['density', { sites: 10, density: 'u - 0.5' }],
-    ['areas', { sites: 10, areas: 'wide:1' }, "'wide:1' is no law of areas; choose equal, lognormal:S or gamma:S"],
+    ['areas', { sites: 10, areas: 'wide:1' }, "'wide:1' is not a law of areas; choose equal, lognormal:S or gamma:S"],
     ['aspect', { sites: 10, aspect: 1000 }],
     ['tolerance', { sites: 10, tolerance: -1 }],
     ['maxIterations', { sites: 10, maxIterations: -2 }],

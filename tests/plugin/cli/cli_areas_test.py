@@ -176,7 +176,7 @@ class PrescribedAreas(AreaTest):
     def test_impossible_files_are_refused_with_the_line(self):
         for text, words in (("1\n2\n", "a.txt:2: the last of 2 areas, but there are 3 sites; give one"),
                             ("1\n2\n3\n\n4\n", "a.txt:5: area 4, but there are 3 sites; give one"),
-                            ("1\n-2\n3\n", "a.txt:2: '-2' is no size"), ("1\n0\n3\n", "a.txt:2: '0' is no size"),
+                            ("1\n-2\n3\n", "a.txt:2: '-2' is not the size"), ("1\n0\n3\n", "a.txt:2: '0' is not the size"),
                             ("1\nnan\n3\n", "a.txt:2: 'nan' is not a finite number"), ("1\n1e400\n3\n", "a.txt:2: '1e400'"),
                             ("1\n2 3\n4\n", "a.txt:2: .*one area a line"), ("1\ndiameter\n3\n", "a.txt:2: 'diameter'"),
                             ("1\n1e-9\n1\n", "a.txt:2: the area is below 1e-6 of the mean"),
@@ -232,7 +232,7 @@ class CheckedAreas(AreaTest):
         self.refuse(2, "--areas of check takes a file", "check", "t.obj", "--areas", "lognormal:0.42")
         self.refuse(2, "missing.txt", "check", "t.obj", "--areas", "missing.txt")
         for text, words in (("1\n2\n", "b.txt:2: the last of 2 areas, but there are 60 sites"),
-                            ("1\n" * 61, "b.txt:61: area 61, but"), ("1\n-1\n", "b.txt:2: '-1' is no size"),
+                            ("1\n" * 61, "b.txt:61: area 61, but"), ("1\n-1\n", "b.txt:2: '-1' is not the size"),
                             ("", "b.txt: holds no area")):
             self.write("b.txt", text)
             self.refuse(2, words, "check", "t.obj", "--areas", "b.txt")

@@ -99,7 +99,7 @@ class Holes(CliTest):
         self.path("shapes.txt").write_text(SHAPES)
         for pattern, arguments in (
                 ("no inclusion has the tag 'pip' of a hole; did you mean pipe", ("--hole", "pip")),
-                ("the cells of the matrix are no hole", ("--hole", "matrix")),
+                ("the cells of the matrix are not a hole", ("--hole", "matrix")),
                 ("the hole pipe is given twice", ("--hole", "pipe", "--hole", "pipe")),
                 ("leave the holes out", ("--hole", "pipe", "-o", "t.nc")),
                 ("leave the holes out", ("--hole", "pipe", "-o", "t.vti"))):

@@ -88,7 +88,7 @@ class Inclusions(CliTest):
         self.refuse(2, "--fibres does not work with --inclusions", "mesh", "--sites", 900, "--fibres", "0.3,3", "--inclusions", "shapes.txt")
 
     def test_bad_shapes_are_refused_with_file_and_line(self):
-        for pattern, shapes in ((r"shapes\.txt:2: 'square' is no shape", "# a\nsquare a 1 2 3\n"),
+        for pattern, shapes in ((r"shapes\.txt:2: 'square' is not a shape", "# a\nsquare a 1 2 3\n"),
                                 (r"shapes\.txt:2: the shape overlaps that of line 1", "circle a 0 0 .2\ncircle b .9 .9 .1\n"),
                                 (r"shapes\.txt:1: the shape is larger", "circle a 0 0 0.6\n"),
                                 (r"shapes\.txt:1: ", "circle a 0 0 -0.1\n"),

@@ -50,7 +50,7 @@ class Phases(CliTest):
         self.succeed("check", "t-voronoi.obj", "t-delaunay.obj", "t-voronoi.glb")
 
     def test_wrong_phases_are_one_line(self):
-        for text, words in (("a", "'a' is no phase; write NAME:FRACTION"),
+        for text, words in (("a", "'a' is not a phase; write NAME:FRACTION"),
                             ("a:0.4,b:0.5", "sum to 0.9; make the sum 1"),
                             ("a:0.5,A:0.5", "given twice"), ("", "write NAME:FRACTION"),
                             ("a b:1", "letters, digits, _ or -"), ("a\nb:1", "letters")):
@@ -61,7 +61,7 @@ class Phases(CliTest):
                     "--phases", "a:1", "-o", "t.om")
         self.refuse(2, r"no output takes orientations; add one of \.inp", *GRAINS,
                     "--orientations", "random", "-o", "t.msh")
-        self.refuse(2, "Delaunay triangles are no cells, .*; take the mesh grains", "mesh", "--sites",
+        self.refuse(2, "Delaunay triangles are not cells, .*; take the mesh grains", "mesh", "--sites",
                     9, "--mesh", "delaunay", "--phases", "a:1", "-o", "t.inp")
 
 

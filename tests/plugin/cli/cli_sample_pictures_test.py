@@ -222,13 +222,13 @@ class Pictures(CliTest):
         self.path("binary.dat").write_bytes(bytes(range(256)))
         self.path("folder.dat").mkdir()
         for name, words, remedy in (("none.dat", "there is no such file, for ccx has not run yet", "run ccx none"),
-                                    ("binary.dat", "this is no text file", "give the .dat file"),
+                                    ("binary.dat", "this is not a text file", "give the .dat file"),
                                     ("folder.dat", "Is a directory", "give the .dat file"),
                                     ("job.inp", "it does not hold the stresses", "run ccx again")):
             self.expect_line("stiffness", (self.path(name),), f"{name}: {words}", remedy)
         text = job.read_text()
         job.write_bytes(f"** Maße\n{text}".encode("latin-1"))
-        self.expect_line("stiffness", (data,), "job.inp: this is no text file in UTF-8", "save the job in UTF-8")
+        self.expect_line("stiffness", (data,), "job.inp: this is not a text file in UTF-8", "save the job in UTF-8")
         self.assertEqual(sample("stiffness", data, "--volume", "2"), (0, ""))
         job.write_text(text.replace("area of the period", "area"))
         self.expect_line("stiffness", (data,), "job.inp: it does not state the area of the period", "give --volume V")
@@ -237,7 +237,7 @@ class Pictures(CliTest):
         for volume in ("0", "-1", "nan", "inf"):
             code, line = sample("stiffness", data, f"--volume={volume}")
             self.assertEqual((code, line.count("\n")), (2, 1), line)
-            self.assertRegex(line, "^--volume: .* is no volume; ")
+            self.assertRegex(line, "^--volume: .* is not a volume; ")
 
     def test_files_that_are_none_are_refused(self):
         job, data, _ = self.stress()
@@ -245,7 +245,7 @@ class Pictures(CliTest):
         mesh, field = case / "constant/polyMesh", case / "0.5/U"
         self.path("empty").write_text("")
         self.path("binary").write_bytes(bytes(range(256)))
-        for file, words in (("empty", ""), ("binary", "this is no text file"), ("none", "No such file"),
+        for file, words in (("empty", ""), ("binary", "this is not a text file"), ("none", "No such file"),
                             ("case.foam", "Is a directory")):
             path = self.path(file)
             self.expect_refusal("stress_picture", (path, data, "1"), f"{file}: .*{words}")
@@ -278,7 +278,7 @@ class Pictures(CliTest):
         mesh = self.path("tile.inp").read_text()
         for text, words in ((mesh.replace("pcvt lattice", "lattice"), "no comment 'pcvt lattice'"),
                             (mesh.replace("ELSET=CELL_", "ELSET=GRAIN_"), "in no set CELL_s"),
-                            ("*NODE\n1,0,0,0\n*ELEMENT,TYPE=C3D8\n1,1,2,3,4,5,6,7,8\n", "8 nodes and is no triangle"),
+                            ("*NODE\n1,0,0,0\n*ELEMENT,TYPE=C3D8\n1,1,2,3,4,5,6,7,8\n", "8 nodes and is not a triangle"),
                             ("*NODE\n1,0,0,0\n*ELEMENT,TYPE=CPE3\n1,1,2,3\n", "no comment")):
             self.path("tile.inp").write_text(text)
             self.expect_refusal("stress_picture", (job, data, "1"), rf"(job|tile)\.inp(:\d+)?: .*{words}")

@@ -115,7 +115,7 @@ class WrongTables(TableTest):
                 ("id,ECD\n1,2\n2,0,5\n", "^e.csv:3: the row has 3 fields .* where commas are decimal marks write semicolons"),
                 ("id,ECD\n1,2\n2,\n", "^e.csv:3: column 'ECD': the field is empty; give a number"),
                 ("id,ECD\n1,2\n2,x\n", "^e.csv:3: column 'ECD': 'x' is not a number; write a decimal"),
-                ("id,ECD\n1,2\n2,-1\n", "^e.csv:3: column 'ECD': '-1' is no size of a cell; give a number"),
+                ("id,ECD\n1,2\n2,-1\n", "^e.csv:3: column 'ECD': '-1' is not the size of a cell; give a number"),
                 ("id,ECD\n0,0\n1,2\n", "^e.csv:2: column 'ECD': .* a feature 0 without a size; remove the line"),
                 ("id;ECD\n1;1.234,5\n2;1\n", "^e.csv:2: column 'ECD': '1.234,5' has 2 decimal marks; write one"),
                 ("id;ECD\n1;0,5\n2;0.5\n", "^e.csv:3: column 'ECD': '0.5' has a decimal point, .* line 2 .*; write all"),

@@ -251,7 +251,7 @@ class Phases(TableTest):
 
     def test_wrong_files_are_one_line(self):
         run = ("mesh", "--sites", 3, "-o", "t.obj", "--phases")
-        self.refuse(2, "^pcvt: --phases 'none.csv': 'none.csv' is no phase; write NAME:FRACTION, such as ferrite:0.3; "
+        self.refuse(2, "^pcvt: --phases 'none.csv': 'none.csv' is not a phase; write NAME:FRACTION, such as ferrite:0.3; "
                        "there is no file of that name$", *run, "none.csv")
         for text, words in (("a\nb\n", "^pcvt: there are 2 phases for 3 sites; give one for each site$"),
                             ("a\nIron bcc\nb\n", r"^p\.csv:2: this line has 2 words; write one phase a line$"),

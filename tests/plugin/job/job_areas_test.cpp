@@ -71,8 +71,8 @@ Job some_job(std::uint64_t seed) {
         job.aspect = Aspect{.ratio = std::exp(3 * random_number(random) - 1.5),
                             .degrees = 360 * random_number(random)};
     }
-    job.tile.columns = 1 + below(random, 3);
-    job.tile.rows = 1 + below(random, 2);
+    job.tile.repeat.columns = 1 + below(random, 3);
+    job.tile.repeat.rows = 1 + below(random, 2);
     job.tile.order = 1 + below(random, 2);
     job.tile.origin = {random_number(random) - 0.5, random_number(random) - 0.5};
     job.tile.outline = below(random, 2) == 0 ? plane::Outline::kBox : plane::Outline::kWhole;
@@ -108,7 +108,8 @@ void expect_areas(const Job& job, const plane::BuiltTile& built) {
     const std::vector<double> areas = areas_by_site(built.tile, job.n_sites);
     const Eigen::VectorXd targets = target_areas(job);
     for (int s = 0; s < job.n_sites; ++s) {
-        EXPECT_NEAR(areas[s] / (job.tile.columns * job.tile.rows) / targets[s], 1, 1e-7);
+        EXPECT_NEAR(areas[s] / (job.tile.repeat.columns * job.tile.repeat.rows) / targets[s], 1,
+                    1e-7);
     }
 }
 
@@ -124,7 +125,7 @@ Outcome prove_jobs(std::uint64_t first_seed, std::uint64_t end) {
     for (std::uint64_t seed = first_seed; seed < end; ++seed) {
         SCOPED_TRACE(seed);
         const Job job = some_job(seed);
-        JobMonitor monitor(silent, {});
+        JobMonitor monitor(silent, job);
         try {
             const Computation<PlaneWorld> computed = compute_job<PlaneWorld>(job, {}).value();
             for (const plane::BuiltTile& built : proved_tiles(job, computed.cells, monitor)) {
@@ -165,12 +166,12 @@ TEST(JobAreas, EdgesBendAtCornersOfTheBoxOnly) {
     job.n_sites = 28;
     job.run.max_iterations = 4;
     job.aspect = Aspect{.ratio = 3.0534802623573647, .degrees = 171.91731786629538};
-    job.tile.columns = job.tile.rows = 2;
+    job.tile.repeat.columns = job.tile.repeat.rows = 2;
     job.tile.origin = {0.05031412278732561, 0.035091504123978545};
     job.tile.outline = plane::Outline::kBox;
     job.meshes = {plane::MeshKind::kGrains};
     const JobCallback silent;
-    JobMonitor monitor(silent, {});
+    JobMonitor monitor(silent, job);
     const Computation<PlaneWorld> computed = compute_job<PlaneWorld>(job, {}).value();
     EXPECT_EQ(proved_tiles(job, computed.cells, monitor).size(), 1);
 }

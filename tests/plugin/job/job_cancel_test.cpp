@@ -115,8 +115,8 @@ TEST(Cancelling, IsNoticedWhileCellsAreMadeAndWritten) {
 TEST(Cancelling, IsNoticedInBoxesRepeatsAndGrains) {
     const TemporaryFolder folder;
     Job job = job_of(kSites / 10, 30, folder, {"t.obj"});
-    job.tile.columns = 4;
-    job.tile.rows = 3;
+    job.tile.repeat.columns = 4;
+    job.tile.repeat.rows = 3;
     job.tile.outline = plane::Outline::kBox;
     job.tile.finds_origin = true;
     job.tile.short_edges = 0.1;

@@ -46,7 +46,7 @@ TEST(JobFiles, ACGridNeedsARectangleAndEveryEdge) {
     job.outputs = {"t.nc"};
     job.in_plane().lattice = plane::Lattice({1, 0}, {0.5, 0.8});
     EXPECT_THROW(plan_files(job), InvalidInput);
-    job.tile.rows = 2;
+    job.tile.repeat.rows = 2;
     EXPECT_EQ(plan_files(job).size(), 1U);
     job.tile.short_edges = 0.1;
     EXPECT_THROW(plan_files(job), InvalidInput);

@@ -21,7 +21,7 @@ MpasGrid written_grid(const std::optional<plane::Density>& density, int columns)
     job.in_plane().points.colwise() += plane::Vec2(0.01, 0.02);
     job.run.max_iterations = 0;
     job.density = density;
-    job.tile.columns = columns;
+    job.tile.repeat.columns = columns;
     job.tile.origin = {5, -3};
     job.outputs = {folder / "t.nc"};
     run_job(job, {});

@@ -118,7 +118,8 @@ struct Recorder {
         fractions.push_back(progress.fraction);
         return true;
     };
-    JobMonitor monitor{callback, {}};
+    Job job;
+    JobMonitor monitor{callback, job};
 };
 
 TEST(JobProgress, ALongStepIsReportedTenTimesASecond) {
@@ -159,13 +160,15 @@ TEST(JobProgress, FaultsOfTheWorkComeThrough) {
 
 TEST(JobProgress, CancellingDuringTheLastStepCounts) {
     const JobCallback cancels = [](const JobProgress&) { return false; };
-    JobMonitor monitor(cancels, {});
+    const Job job;
+    JobMonitor monitor(cancels, job);
     EXPECT_THROW(monitor.watch([&] { monitor.begin(Phase::kWriting, "writing"); }), Cancelled);
 }
 
 TEST(JobProgress, AFaultOfTheCallbackEndsTheWork) {
     const JobCallback throws = [](const JobProgress&) -> bool { throw std::out_of_range("mine"); };
-    JobMonitor monitor(throws, {});
+    const Job job;
+    JobMonitor monitor(throws, job);
     bool went_on = false;
     const auto work = [&] {
         monitor.begin(Phase::kBuilding, "building");

@@ -16,6 +16,7 @@ Job example_job() {
     Job job;
     job.in_plane().lattice = plane::Lattice({1, 0}, {0.37, 0.81});
     job.n_sites = 1000;
+    job.seed = ~std::uint64_t{0};
     return job;
 }
 
@@ -24,7 +25,6 @@ RunSummary example_summary() {
     summary.run = {
         .stop = Stop::kConverged, .cg_products = 450, .energy = 0.1 + 0.2, .residual = 1e-320};
     summary.n_sites = 1000;
-    summary.seed = ~std::uint64_t{0};
     summary.energy_bound = 1e-7 / 3;
     summary.minimum = Minimum::kYes;
     summary.n_mirrors = 1'000'000;

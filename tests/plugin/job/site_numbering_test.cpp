@@ -110,8 +110,8 @@ Job job_with(const Features& features) {
         job.materials.draws_orientations = true;
     }
     if (features.is_repeated) {
-        job.tile.columns = features.is_walled(0) ? 1 : 2;
-        job.tile.rows = features.is_walled(1) ? 1 : 2;
+        job.tile.repeat.columns = features.is_walled(0) ? 1 : 2;
+        job.tile.repeat.rows = features.is_walled(1) ? 1 : 2;
     }
     if (features.has_origin) {
         job.tile.origin = {features.is_walled(0) ? 0 : 0.3, features.is_walled(1) ? 0 : -7.7};

@@ -246,11 +246,11 @@ TEST(WalledAreaCvt, EachTileIsProvedAndHasTheAreas) {
             for (const MeshKind kind : {MeshKind::kVoronoi, MeshKind::kGrains}) {
                 for (const double short_edges : {0.0, 0.15}) {
                     SCOPED_TRACE(walls_row(walls).word);
-                    const BuiltTile built =
-                        build_tile(result.torus.delaunay, {.kind = kind,
-                                                           .short_edges = short_edges,
-                                                           .columns = walls == Walls::kY ? 2 : 1,
-                                                           .walled = result.domain});
+                    const BuiltTile built = build_tile(result.torus.delaunay,
+                                                       {.kind = kind,
+                                                        .short_edges = short_edges,
+                                                        .repeat = {walls == Walls::kY ? 2 : 1, 1},
+                                                        .walled = result.domain});
                     EXPECT_NO_THROW(verify_generated_tile(built.tile));
                     EXPECT_LE(*built.figures.area_error, 1e-10);
                     Eigen::VectorXd areas = Eigen::VectorXd::Zero(60);

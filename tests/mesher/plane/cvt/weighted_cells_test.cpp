@@ -200,7 +200,7 @@ TEST(WeightedCells, HugeWeightsHideTheOthersOrAreRefused) {
 }
 
 TEST(WeightedCells, AtMostTwentySitesWithoutCellsAreNamed) {
-    // One heavy site hides all others, of which each is hidden by it alone.
+    // One heavy site hides all others, each of which only it hides.
     for (const int n : {20, 21, 60}) {
         WeightedSites input{Lattice::rectangle(1, 1),
                             uniform_points(Lattice::rectangle(1, 1), n, 7),

@@ -66,7 +66,7 @@ TEST(AreaFit, GrainsHaveTheTargetAreas) {
 TEST(AreaFit, RepeatedGrainsHaveThemToo) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     const AreaCvtResult cells = testing::power_cells(lattice, 50, 1, kRound, 4);
-    TileOptions options{.kind = MeshKind::kGrains, .columns = 2, .rows = 3};
+    TileOptions options{.kind = MeshKind::kGrains, .repeat = {2, 3}};
     expect_areas(built(lattice, cells, kRound, options), 50, 1, kRound);
     options.outline = Outline::kBox;
     expect_areas(built(lattice, cells, kRound, options), 50, 1, kRound);

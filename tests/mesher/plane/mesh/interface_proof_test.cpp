@@ -46,29 +46,29 @@ TEST_F(InterfaceProof, AcceptsWhatIsRight) { EXPECT_EQ(violation(), std::nullopt
 // Law (1).
 TEST_F(InterfaceProof, FindsASeedThatHasMoved) {
     coordinates(0, pairs.chords[3].inside) += 0x1p-26;
-    EXPECT_THAT(violation().value_or(""), HasSubstr("is no edge of the cells"));
+    EXPECT_THAT(violation().value_or(""), HasSubstr("is not an edge of the cells"));
 }
 
 TEST_F(InterfaceProof, FindsASiteInACircle) {
     const Vec2 at = pairs.circles[5].centre + Vec2(0x1p-10, 0x1p-11);
     coordinates.col(coordinates.cols() - 1) << wrap(at.x()).fraction, wrap(at.y()).fraction;
-    EXPECT_THAT(violation().value_or(""), HasSubstr("is no edge of the cells"));
+    EXPECT_THAT(violation().value_or(""), HasSubstr("is not an edge of the cells"));
 }
 
 TEST_F(InterfaceProof, FindsAWrongOffsetOfAChord) {
     pairs.chords[2].offset = pairs.chords[2].offset + Offset{1, 0};
-    EXPECT_EQ(violation(), "chord 2 is no edge of the cells");
+    EXPECT_EQ(violation(), "chord 2 is not an edge of the cells");
 }
 
 TEST_F(InterfaceProof, FindsAWrongEndOfAChord) {
     pairs.chords[4].to += Vec2(1e-9, 0);
-    EXPECT_EQ(violation(), "chord 4 is no edge of the cells");
+    EXPECT_EQ(violation(), "chord 4 is not an edge of the cells");
 }
 
 // Law (2).
 TEST_F(InterfaceProof, FindsASiteOfAnotherMaterial) {
     inclusion.back() = inclusion.back() == 0 ? -1 : 0;
-    EXPECT_THAT(violation().value_or(""), HasSubstr("lies between materials and is no chord"));
+    EXPECT_THAT(violation().value_or(""), HasSubstr("lies between materials and is not a chord"));
 }
 
 TEST_F(InterfaceProof, FindsAChordInsideOfOneMaterial) {

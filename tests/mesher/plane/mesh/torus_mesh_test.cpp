@@ -44,7 +44,7 @@ TEST(TorusMesh, EveryMeshFillsItsCopies) {
                 if (outline == Outline::kBox && !row.box_outline) continue;
                 options.kind = row.kind;
                 options.outline = outline;
-                options.columns = 2;
+                options.repeat.columns = 2;
                 const TorusMesh torus =
                     torus_mesh(domain_mesh(delaunay, options), delaunay, options);
                 EXPECT_EQ(torus.is_cut(), outline == Outline::kBox);

@@ -28,8 +28,8 @@ std::vector<TileOptions> all_options() {
             };
             add();
             TileOptions& repeated = add();
-            repeated.columns = 3;
-            repeated.rows = 2;
+            repeated.repeat.columns = 3;
+            repeated.repeat.rows = 2;
             if (kind != MeshKind::kDelaunay) add().short_edges = 0.3;
         }
     }
@@ -62,7 +62,7 @@ TEST(SiteLabels, TilesOfRandomSitesHaveTheirSites) {
             for (const int n : {1, 2, 3, 9, 200}) {
                 EXPECT_EQ(complaint(tile_of(lattice, n, options)), "")
                     << n << ' ' << int(options.kind) << ' ' << int(options.outline) << ' '
-                    << options.columns << ' ' << options.short_edges;
+                    << options.repeat.columns << ' ' << options.short_edges;
             }
         }
     }

@@ -104,7 +104,7 @@ double centroidal_distance(const Tile& tile, double tolerance) {
 TEST(ProveCentroidalPowerCells, SitesLieAtTheCentroidsOfAConvergedRunAlone) {
     for (const testing::CellShape& shape : {testing::cell_shapes()[0], testing::cell_shapes()[2]}) {
         for (const int columns : {1, 2}) {
-            const TileOptions options{.columns = columns};
+            const TileOptions options{.repeat = {columns, 1}};
             const Tile tile = testing::power_tile(kOblique, 30, 3, shape, options, -1);
             const double distance = centroidal_distance(tile, 1e-5);
             EXPECT_GE(distance, 0);
@@ -139,7 +139,7 @@ TEST(ProveRegular, TrianglesAreRegularWithTheirWeightsAndInTheirMetricAlone) {
     for (const testing::CellShape& shape : testing::cell_shapes()) {
         for (int seed = 0; seed < 6; ++seed) {
             Tile tile = testing::power_tile(kOblique, 60, seed, shape,
-                                            {.kind = MeshKind::kDelaunay, .columns = 2});
+                                            {.kind = MeshKind::kDelaunay, .repeat = {2, 1}});
             EXPECT_LT(centroidal_distance(tile, 1e-12), 1e-12) << shape.name;
             EXPECT_GE(centroidal_distance(tile, 1e-12), 0) << shape.name;
             tile.site_weights.clear();

@@ -348,10 +348,10 @@ TEST(ProveTileInSinglePrecision, StatedCopiesAreChecked) {
     for (const int v : {4, -1, 16, 17}) {
         fans.copies = {v};
         EXPECT_THAT(refusal(fans, Precision::kSingle),
-                    HasSubstr("vertex 16 is no copy of vertex " + std::to_string(v)));
+                    HasSubstr("vertex 16 is not a copy of vertex " + std::to_string(v)));
     }
     fans.copies.assign(20, 5);
-    EXPECT_THAT(refusal(fans, Precision::kSingle), HasSubstr("is no copy"));
+    EXPECT_THAT(refusal(fans, Precision::kSingle), HasSubstr("is not a copy"));
 }
 
 TEST(ProveTileInSinglePrecision, CopyWithoutAFaceIsMerged) {

@@ -33,7 +33,7 @@ TEST(BuildTile, EveryKindAndOutlineIsProved) {
 TEST(BuildTile, RepetitionsCoverTheRepeatedLattice) {
     const Lattice lattice({1, 0}, {0.37, 0.81});
     const BuiltTile built =
-        build_tile(delaunay_of(lattice, 5), {.kind = MeshKind::kDelaunay, .columns = 2, .rows = 3});
+        build_tile(delaunay_of(lattice, 5), {.kind = MeshKind::kDelaunay, .repeat = {2, 3}});
     EXPECT_EQ(built.tile.n_faces(), 2 * 5 * 6);
     EXPECT_EQ(built.tile.lattice.b(), lattice.repeated(2, 3).b());
     EXPECT_NO_THROW(verify_generated_tile(built.tile));

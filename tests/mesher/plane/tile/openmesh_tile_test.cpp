@@ -73,7 +73,7 @@ TEST(OpenMeshTile, KeepsWhatFilesLeaveOut) {
     expect_same_arrays(cells);
     Tile grains =
         build_tile(PeriodicDelaunay(Sites(cells.lattice, uniform_points(cells.lattice, 3, 1))),
-                   {.kind = MeshKind::kGrains, .order = 2, .columns = 2})
+                   {.kind = MeshKind::kGrains, .order = 2, .repeat = {2, 1}})
             .tile;
     expect_same_arrays(grains);
 }
@@ -178,7 +178,7 @@ TEST(OpenMeshTile, RefusesPropertiesThatContradictEachOther) {
     EXPECT_THAT(fault_of_mesh([](CellTile& t) {
                     t.mesh.property(t.identification.orbit, OpenMesh::VertexHandle(8)) = 7;
                 }),
-                HasSubstr("vertex 8 has the orbit 7, which is no representative"));
+                HasSubstr("vertex 8 has the orbit 7, which is not a representative"));
     EXPECT_THAT(fault_of_mesh([](CellTile& t) {
                     t.mesh.property(t.identification.face_site, OpenMesh::FaceHandle(1)) = -1;
                 }),

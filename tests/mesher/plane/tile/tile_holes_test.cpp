@@ -88,8 +88,7 @@ TEST(TileHoles, SlowRandomTilesAreProvedAndLackTheAreaOfTheirHoles) {
         TileOptions options{.kind = kind,
                             .outline = draw(1) == 0 ? Outline::kWhole : Outline::kBox,
                             .short_edges = 0.1 * draw(1),
-                            .columns = 1 + draw(1),
-                            .rows = 1 + draw(1),
+                            .repeat = {1 + draw(1), 1 + draw(1)},
                             .origin = {0.01 * draw(99), 0.01 * draw(99)},
                             .site_tags = made.cvt.tag};
         options.holes = testing::holes_of(made.cvt.tag, made.tags);
@@ -99,7 +98,7 @@ TEST(TileHoles, SlowRandomTilesAreProvedAndLackTheAreaOfTheirHoles) {
         const TileProof proof = verify_generated_tile(tile);
         EXPECT_EQ(proof.wall_edges, tile.wall_edges);
         EXPECT_EQ(tile.holes.size(), made.tags.size());
-        const int copies = options.columns * options.rows;
+        const int copies = options.repeat.columns * options.repeat.rows;
         const auto [area, length] = holes_in(made);
         const double domain = made.cvt.cvt.delaunay.sites().lattice().area();
         EXPECT_NEAR(area_of_faces(tile) / copies, domain - area, 1e-12 * domain);

@@ -69,10 +69,10 @@ TEST(WalledTile, SlowRandomTilesBetweenWallsAreProved) {
         TileOptions options{.kind = kind, .outline = outline, .short_edges = short_edges};
         options.walled = cvt.domain;
         if (walls == Walls::kX) {
-            options.rows = copies;
+            options.repeat.rows = copies;
             options.origin = {0, along};
         } else if (walls == Walls::kY) {
-            options.columns = copies;
+            options.repeat.columns = copies;
             options.origin = {along, 0};
         }
         try {
