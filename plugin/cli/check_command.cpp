@@ -6,11 +6,12 @@
 #include <cstdio>
 #include <optional>
 
+#include "io/bytes/readable_number.hpp"
 #include "io/bytes/text.hpp"
 #include "io/formats/formats.hpp"
 #include "mesher/cells/target_areas.hpp"
+#include "plugin/checks/check_proof.hpp"
 #include "plugin/cli/cell_options.hpp"
-#include "plugin/cli/check_proof.hpp"
 #include "plugin/cli/exit_code.hpp"
 #include "plugin/cli/options/option_values.hpp"
 #include "plugin/cli/options/site_source.hpp"
@@ -20,32 +21,43 @@
 namespace pcvt::cli {
 namespace {
 
+using checks::Question;
+
 /// Ten times the default of `pcvt mesh --tolerance`: the bisectors of the centroids lie within a
 /// few residuals of those of the sites.
 constexpr double kCvtTolerance = 1e-5;
 
+/// The files, and the properties that each must have.
+struct CheckRequest {
+    std::vector<std::string> files;
+    Question question = {};
+};
+
 /// --cvt takes a tolerance or none; without one the command line parser hands it the next file.
-void read_cvt(const CLI::App& app, const CheckOptions& options, Question& question) {
+void read_cvt(const CLI::App& app, const CheckOptions& options, CheckRequest& request) {
     if (app.count("--cvt") == 0) return;
-    question.cvt_tolerance = kCvtTolerance;
+    request.question.cvt_tolerance = kCvtTolerance;
     if (options.cvt.empty()) return;
     try {
         parse_number(options.cvt);
     } catch (const InvalidInput&) {
-        question.files.insert(question.files.begin(), options.cvt);
+        request.files.insert(request.files.begin(), options.cvt);
         return;
     }
-    question.cvt_tolerance = positive_number("--cvt", options.cvt);
+    request.question.cvt_tolerance = positive_number("--cvt", options.cvt);
 }
 
 /// The density itself waits for the lattice of each file.
-TypedDensity read_density(const CLI::App& app, const CheckOptions& options, bool has_cvt) {
+void read_density(const CLI::App& app, const CheckOptions& options, Question& question) {
     const bool given = app.count("--density") > 0;
-    if (given && !has_cvt) throw InvalidInput("--density is for --cvt; add that");
+    if (given && !question.cvt_tolerance) throw InvalidInput("--density is for --cvt; add that");
     if (!given && app.count("--density-range") > 0) {
         throw InvalidInput("--density-range is for --density FILE.png; give one");
     }
-    return options.density;
+    if (options.density.empty()) return;
+    question.density = [&options](const plane::Lattice& lattice) {
+        return density_option(options.density, options.density_range, lattice);
+    };
 }
 
 /// The file of areas is read once for all files.
@@ -59,8 +71,10 @@ void read_areas_option(const CLI::App& app, const CheckOptions& options, Questio
     question.areas = read_areas(area_table(options.areas));
 }
 
-Question make_question(const CLI::App& app, const CheckOptions& options) {
-    Question question{options.files, std::nullopt, std::nullopt};
+/// @param options  must outlive the request, whose density reads them.
+CheckRequest make_request(const CLI::App& app, const CheckOptions& options) {
+    CheckRequest request{options.files};
+    Question& question = request.question;
     require_one_lattice(app);
     if (app.count("--period") > 0) {
         question.lattice = rectangle_lattice("--period", options.period);
@@ -71,19 +85,19 @@ Question make_question(const CLI::App& app, const CheckOptions& options) {
     if (app.count("--tolerance") > 0) {
         question.tolerance = positive_number("--tolerance", options.tolerance);
     }
-    read_cvt(app, options, question);
-    for (std::string& path : question.files) path = without_slash(path);
-    question.density = read_density(app, options, question.cvt_tolerance.has_value());
+    read_cvt(app, options, request);
+    for (std::string& path : request.files) path = without_slash(path);
+    read_density(app, options, question);
     read_areas_option(app, options, question);
     if (app.count("--inclusions") > 0) question.inclusions = read_inclusions(options.inclusions);
-    if (question.files.empty()) throw InvalidInput("no file to check; give one or more");
-    return question;
+    if (request.files.empty()) throw InvalidInput("no file to check; give one or more");
+    return request;
 }
 
 /// @returns false where the file is refuted.
 bool check(const std::string& path, const Question& question) {
     try {
-        print(prove(path, question));
+        print(checks::prove(path, question));
         return true;
     } catch (const NotATile& error) {
         std::fprintf(stderr, "%s\n", error.what());
@@ -123,10 +137,10 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
                    "`pcvt mesh --inclusions FILE`, that the outline consists of edges of\n"
                    "cells, and that the cells inside have its tag and its area")
         ->type_name("FILE");
-    app.add_option("--density", options.density.formula,
+    app.add_option("--density", options.density,
                    "of the centroids of --cvt, as for `pcvt mesh`, in the file's lattice")
         ->type_name("EXPR|FILE.png");
-    app.add_option("--density-range", options.density.range, "as for `pcvt mesh`")
+    app.add_option("--density-range", options.density_range, "as for `pcvt mesh`")
         ->type_name("LO,HI");
     app.footer(
         "Rebuilds the seam from the positions and the lattice, and compares it:\n"
@@ -147,10 +161,10 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
 }
 
 ExitCode run_check(const CLI::App& app, const CheckOptions& options) {
-    const Question question = make_question(app, options);
+    const CheckRequest request = make_request(app, options);
     bool all_proved = true;
-    for (const std::string& path : question.files) {
-        all_proved = check(path, question) && all_proved;
+    for (const std::string& path : request.files) {
+        all_proved = check(path, request.question) && all_proved;
     }
     return all_proved ? ExitCode::kDone : ExitCode::kBadInput;
 }

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "plugin/cli/check_proof.hpp"
 #include "plugin/cli/exit_code.hpp"
 
 namespace CLI {
@@ -21,7 +20,8 @@ struct CheckOptions {
     std::string cvt;
     std::string areas;
     std::string inclusions;
-    TypedDensity density;
+    std::string density;
+    std::string density_range;
 };
 
 /// Gives `app` the options, its description and its examples; parsing fills `options`.

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "plugin/cli/terminal/console.hpp"
+#include "io/bytes/readable_number.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/job/run_summary.hpp"
 

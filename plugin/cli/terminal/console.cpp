@@ -8,16 +8,6 @@
 
 namespace pcvt::cli {
 
-std::string figure(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
-
-std::string counted(long n, const std::string& thing) {
-    return std::to_string(n) + " " + thing + (n == 1 ? "" : "s");
-}
-
 void print(const std::string& text) {
     errno = 0;
     const bool taken = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();

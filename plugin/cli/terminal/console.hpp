@@ -6,12 +6,6 @@
 
 namespace pcvt::cli {
 
-/// A number with six digits for readers: print("energy " + figure(energy) + "\n").
-std::string figure(double value);
-
-/// A number of things for readers: "1 site", "2 sites".
-std::string counted(long n, const std::string& thing);
-
 /// Writes `text` to standard output. A reader that has closed the pipe, as `head` does, wants no
 /// more: that is not a failure.
 /// @throws OutputError if the write fails.

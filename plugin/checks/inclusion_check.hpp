@@ -5,7 +5,7 @@
 #include "io/forms/tile_file.hpp"
 #include "io/run_files/inclusion_reader.hpp"
 
-namespace pcvt::cli {
+namespace pcvt::checks {
 
 /// Proves that no cell crosses the outline of an inclusion:
 ///   (1) A site lies in the shape whose tag its cell has, if the file states tags.
@@ -25,4 +25,4 @@ namespace pcvt::cli {
 std::string prove_inclusions(const std::string& path, const TileFile& file,
                              const plane::TileProof& proof, const InclusionFile& shapes);
 
-}  // namespace pcvt::cli
+}  // namespace pcvt::checks

@@ -1,14 +1,14 @@
-#include "plugin/cli/checks/space_check.hpp"
+#include "plugin/checks/space_check.hpp"
 
 #include "io/bytes/bad_file.hpp"
+#include "io/bytes/readable_number.hpp"
 #include "io/formats/space_file_proof.hpp"
 #include "io/gltf/space_gltf_proof.hpp"
 #include "mesher/base/law_violation.hpp"
 #include "mesher/plane/proof/validate.hpp"
-#include "plugin/cli/checks/tolerance_check.hpp"
-#include "plugin/cli/terminal/console.hpp"
+#include "plugin/checks/tolerance_check.hpp"
 
-namespace pcvt::cli {
+namespace pcvt::checks {
 namespace {
 
 std::string cvt_text(const std::string& path, const SpaceFileProof& proof, double tolerance) {
@@ -145,4 +145,4 @@ std::string prove_space_tile(const std::string& path, const std::vector<EncodedF
            prove_kind(kind, path, files, cvt_tolerance, tolerance) + "\n";
 }
 
-}  // namespace pcvt::cli
+}  // namespace pcvt::checks

@@ -6,7 +6,7 @@
 #include "io/run_files/area_reader.hpp"
 #include "io/voxels/vti_reader.hpp"
 
-namespace pcvt::cli {
+namespace pcvt::checks {
 
 /// Compares the areas of the power cells, built from nothing, or where corners were moved those of
 /// the faces, with the target areas.
@@ -24,4 +24,4 @@ std::string prove_tile_areas(const std::string& path, const TileFile& file,
 std::string prove_voxel_areas(const std::string& path, const VoxelFile& file,
                               const AreaFile& wanted);
 
-}  // namespace pcvt::cli
+}  // namespace pcvt::checks

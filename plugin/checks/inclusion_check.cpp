@@ -1,4 +1,4 @@
-#include "plugin/cli/checks/inclusion_check.hpp"
+#include "plugin/checks/inclusion_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,13 +6,13 @@
 #include <map>
 #include <utility>
 
+#include "io/bytes/readable_number.hpp"
 #include "mesher/plane/geometry/face_polygon.hpp"
 #include "mesher/plane/interfaces/inclusion_set.hpp"
 #include "mesher/plane/interfaces/listed_images.hpp"
-#include "plugin/cli/checks/outline_proof.hpp"
-#include "plugin/cli/terminal/console.hpp"
+#include "plugin/checks/outline_proof.hpp"
 
-namespace pcvt::cli {
+namespace pcvt::checks {
 namespace {
 
 /// In units of the area of the domain.
@@ -305,4 +305,4 @@ std::string prove_inclusions(const std::string& path, const TileFile& file,
     return InclusionCheck(file, proof, shapes).prove();
 }
 
-}  // namespace pcvt::cli
+}  // namespace pcvt::checks

@@ -1,12 +1,12 @@
-#include "plugin/cli/checks/tolerance_check.hpp"
+#include "plugin/checks/tolerance_check.hpp"
 
 #include <cmath>
 
+#include "io/bytes/readable_number.hpp"
 #include "io/bytes/text.hpp"
 #include "mesher/base/law_violation.hpp"
-#include "plugin/cli/terminal/console.hpp"
 
-namespace pcvt::cli {
+namespace pcvt::checks {
 namespace {
 
 /// Each proof with a wider tolerance may show edges that fit less well.
@@ -39,4 +39,4 @@ std::string tolerance_advice(const SeamMismatch& fault, const SeamProof& prove) 
     return "";
 }
 
-}  // namespace pcvt::cli
+}  // namespace pcvt::checks

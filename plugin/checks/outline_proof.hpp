@@ -5,7 +5,7 @@
 
 #include "mesher/plane/interfaces/inclusion.hpp"
 
-namespace pcvt::cli {
+namespace pcvt::checks {
 
 /// A directed edge with an inclusion on its left, in the frame of its shape.
 struct OutlineEdge {
@@ -31,4 +31,4 @@ void prove_outline(const plane::Shape& shape, std::vector<OutlineEdge>& edges, d
 /// " at (0.5, 0.25)".
 std::string place_in_words(const plane::Vec2& p);
 
-}  // namespace pcvt::cli
+}  // namespace pcvt::checks

@@ -1,12 +1,12 @@
-#include "plugin/cli/checks/outline_proof.hpp"
+#include "plugin/checks/outline_proof.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "io/bytes/readable_number.hpp"
 #include "mesher/plane/proof/validate.hpp"
-#include "plugin/cli/terminal/console.hpp"
 
-namespace pcvt::cli {
+namespace pcvt::checks {
 namespace {
 
 class OutlineProof {
@@ -127,4 +127,4 @@ void prove_outline(const plane::Shape& shape, std::vector<OutlineEdge>& edges, d
     OutlineProof(shape, edges, near, where).prove();
 }
 
-}  // namespace pcvt::cli
+}  // namespace pcvt::checks

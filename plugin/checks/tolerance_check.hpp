@@ -5,7 +5,7 @@
 
 #include "mesher/plane/proof/validate.hpp"
 
-namespace pcvt::cli {
+namespace pcvt::checks {
 
 /// Proves a tile with a tolerance of positions, and returns the mismatch that it finds.
 using SeamProof = std::function<double(double tolerance)>;
@@ -22,4 +22,4 @@ using SeamProof = std::function<double(double tolerance)>;
 /// Cost: that of some proofs of the tile.
 std::string tolerance_advice(const SeamMismatch& fault, const SeamProof& prove);
 
-}  // namespace pcvt::cli
+}  // namespace pcvt::checks

@@ -1,16 +1,16 @@
-#include "plugin/cli/checks/area_check.hpp"
+#include "plugin/checks/area_check.hpp"
 
 #include <cmath>
 #include <functional>
 #include <limits>
 
+#include "io/bytes/readable_number.hpp"
 #include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/cvt/cell_areas.hpp"
 #include "mesher/plane/geometry/face_polygon.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
-#include "plugin/cli/terminal/console.hpp"
 
-namespace pcvt::cli {
+namespace pcvt::checks {
 namespace {
 
 /// The cells of a tile with weights, as its file states them.
@@ -118,4 +118,4 @@ std::string prove_voxel_areas(const std::string& path, const VoxelFile& file,
                        [&](const Eigen::VectorXd& areas) { return compare_areas(cells, areas); });
 }
 
-}  // namespace pcvt::cli
+}  // namespace pcvt::checks

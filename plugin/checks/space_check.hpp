@@ -6,7 +6,7 @@
 
 #include "io/formats/formats.hpp"
 
-namespace pcvt::cli {
+namespace pcvt::checks {
 
 /// Returns what files of this kind hold, "a periodic tile of polyhedra".
 std::string space_content_text(SpaceFileKind kind);
@@ -29,4 +29,4 @@ std::string space_content_text(SpaceFileKind kind);
 std::string prove_space_tile(const std::string& path, const std::vector<EncodedFile>& files,
                              std::optional<double> cvt_tolerance, double tolerance = 0);
 
-}  // namespace pcvt::cli
+}  // namespace pcvt::checks

@@ -1,4 +1,4 @@
-#include "plugin/cli/check_proof.hpp"
+#include "plugin/checks/check_proof.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,24 +6,22 @@
 #include <limits>
 
 #include "io/bytes/input_file.hpp"
-#include "io/bytes/text.hpp"
+#include "io/bytes/readable_number.hpp"
 #include "io/formats/file_proof.hpp"
 #include "io/formats/formats.hpp"
+#include "io/formats/output_files.hpp"
 #include "io/formats/space_format.hpp"
 #include "io/gltf/gltf_place.hpp"
 #include "io/outputs/recovery.hpp"
 #include "mesher/base/law_violation.hpp"
 #include "mesher/plane/density/density_centroid.hpp"
 #include "mesher/plane/proof/validate_voronoi.hpp"
-#include "plugin/cli/cell_options.hpp"
-#include "plugin/cli/checks/area_check.hpp"
-#include "plugin/cli/checks/inclusion_check.hpp"
-#include "plugin/cli/checks/space_check.hpp"
-#include "plugin/cli/checks/tolerance_check.hpp"
-#include "plugin/cli/terminal/console.hpp"
-#include "plugin/job/job_files.hpp"
+#include "plugin/checks/area_check.hpp"
+#include "plugin/checks/inclusion_check.hpp"
+#include "plugin/checks/space_check.hpp"
+#include "plugin/checks/tolerance_check.hpp"
 
-namespace pcvt::cli {
+namespace pcvt::checks {
 namespace {
 
 const Format& readable_format(const std::string& path) {
@@ -68,10 +66,9 @@ double resolved(const TileFile& file, const plane::TileProof& proof, double tole
 
 double prove_voronoi(const TileFile& file, const plane::TileProof& proof, const Question& question,
                      double tolerance) {
-    if (question.density.formula.empty()) return prove_voronoi(file.tile, proof, tolerance);
+    if (!question.density) return prove_voronoi(file.tile, proof, tolerance);
     const plane::Lattice& lattice = file.tile.lattice;
-    const plane::Density density =
-        density_option(question.density.formula, question.density.range, lattice);
+    const plane::Density density = question.density(lattice);
     const plane::CellQuadrature quadrature(density);
     plane::DensityProbe probe(lattice, density.make_function());
     return prove_voronoi(file.tile, proof, tolerance, [&](const plane::Polygon& polygon) {
@@ -232,8 +229,8 @@ std::string prove_voxel_image(VoxelReader* read, const Format& format, const std
 /// The proof of a tile in space as a line.
 std::string prove_tile_in_space(const std::string& path, const std::vector<EncodedFile>& files,
                                 const Question& question) {
-    const bool of_the_plane = question.lattice || question.areas || question.inclusions ||
-                              !question.density.formula.empty();
+    const bool of_the_plane =
+        question.lattice || question.areas || question.inclusions || question.density;
     if (of_the_plane) {
         throw BadFile(
             path +
@@ -318,4 +315,4 @@ std::string prove(const std::string& path, const Question& question) {
     }
 }
 
-}  // namespace pcvt::cli
+}  // namespace pcvt::checks
