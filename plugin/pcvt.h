@@ -21,8 +21,10 @@
  *       stated below, negative for an error, which pcvt_last_error() then explains.
  *   (2) No exception, signal, exit or output leaves the library. It neither uses nor changes the
  *       locale and the floating-point environment of the host, and calls callbacks in the latter.
- *   (3) A result never changes. Its views borrow its memory and are valid until pcvt_free().
- *   (4) The same options give the same result to the last bit, for any number of threads.
+ *   (3) A result never changes. Its views borrow its memory and are valid until pcvt_free(). The
+ *       same holds for proofs and studies.
+ *   (4) The same options give the same result to the last bit, for any number of threads, but for
+ *       measured times.
  *   (5) Positions are x, y in length units, in three dimensions x, y, z. Sites are numbered from 0
  *       in the order of the input, everything else from 0 as well. An offset i, j means the
  *       translation i a + j b, and i, j, k means i a + j b + k c, with a, b, c the period vectors
@@ -58,6 +60,8 @@ enum {
     /** There is a result, but the run ended above the tolerance: at the iteration limit, or at the
      *  limit of double precision. Not for max_iterations = 0. */
     PCVT_NOT_CONVERGED = 2,
+    /** pcvt_check() found that a file is not a periodic tile, or that it lacks a property. */
+    PCVT_REFUTED = 3,
     /** A null pointer, a value that is out of range or not finite, or an unknown choice. */
     PCVT_ERROR_ARGUMENT = -1,
     /** A struct of an unknown size or with unknown fields, or another version. */
@@ -150,11 +154,11 @@ enum { PCVT_STOP_CONVERGED = 0, PCVT_STOP_ITERATION_LIMIT = 1, PCVT_STOP_STALLED
 
 /** The phases of a run, in their order; a run may leave out some. */
 enum {
-    PCVT_PHASE_START = 0, /**< placing or searching sites to begin with */
-    PCVT_PHASE_OPTIMISE = 1,
-    PCVT_PHASE_BUILD = 2, /**< this phase and the next ones: in pcvt_write() */
-    PCVT_PHASE_PROVE = 3,
-    PCVT_PHASE_WRITE = 4
+    PCVT_PHASE_START = 0,    /**< placing or searching sites to begin with */
+    PCVT_PHASE_OPTIMISE = 1, /**< and the runs of pcvt_study() */
+    PCVT_PHASE_BUILD = 2,    /**< this phase and the next ones: in pcvt_write() */
+    PCVT_PHASE_PROVE = 3,    /**< and in pcvt_check() */
+    PCVT_PHASE_WRITE = 4     /**< and in pcvt_study() */
 };
 
 /** Whether a result is a minimum of the energy, as the eigenvalues of the Hessian prove. */
@@ -179,8 +183,9 @@ typedef struct pcvt_progress {
                                call of the callback */
 } pcvt_progress;
 
-/** Called on the thread that called pcvt_generate() or pcvt_write(): once an iteration, at the
- *  beginning of each later phase, and ten times a second in long steps. Non-zero cancels soon. */
+/** Called on the thread that called pcvt_generate(), pcvt_write(), pcvt_check() or pcvt_study():
+ *  once an iteration, at the beginning of each later phase, and ten times a second in long steps.
+ *  Non-zero cancels soon. */
 typedef int (*pcvt_progress_callback)(const pcvt_progress* progress, void* data);
 
 /** A density at many points, called only on the thread that called pcvt_generate().
@@ -495,8 +500,77 @@ typedef struct pcvt_write_options {
     double coriolis[2];    /**< of .nc: the parameter coriolis[0] + coriolis[1] y [0, 0: none] */
 } pcvt_write_options;
 
+/** The options of pcvt_check(): properties that a file must have besides the laws of tiles. Zero in
+ *  all fields but struct_size is the default. */
+typedef struct pcvt_check_options {
+    size_t struct_size;
+    double lattice[4];      /**< ax, ay, bx, by of files that state no lattice; a stated one must be
+                               equal [0, 0, 0, 0: that of the file] */
+    double tolerance;       /**< the sides of a tile of another program agree within this length
+                               [0: 4 ulps of the largest coordinate, in the precision of the file] */
+    double cvt;             /**< cells are centroidal Voronoi cells, triangles Delaunay, within this
+                               times h, h = sqrt(area / n), such as 1e-5 [0: not examined] */
+    const char* areas;      /**< FILE or FILE:COLUMN: power cells have the areas of this table, one
+                               row a site [NULL] */
+    const char* inclusions; /**< FILE: no cell crosses the outline of a shape of this file, of the
+                               form of pcvt_options.inclusions [NULL] */
+    const char* density; /**< of the centroids of cvt: an expression in x, y, u, v, or the name of
+                            a .png file [NULL: uniform] */
+    double density_range[2];         /**< of the image; 0, 0: pcvt chooses [0, 0] */
+    pcvt_progress_callback progress; /**< [NULL] */
+    void* progress_data;
+} pcvt_check_options;
+
+/** The options of pcvt_study(). pcvt_study_options_init() fills in the defaults of a study. */
+typedef struct pcvt_study_options {
+    size_t struct_size;
+    const char* name;     /**< "table1", "fig7", ..., as `pcvt study --help` lists them */
+    const int32_t* sites; /**< n_sites numbers of sites, each once */
+    int32_t n_sites;
+    int32_t runs;      /**< random starts for each number of sites, at least 1 */
+    uint64_t seed;     /**< run r starts from the random sites of seed + r */
+    int32_t n_threads; /**< 0: as many as there are cores; at most 1024 [0] */
+    int32_t replace;   /**< not 0: replace existing files [0] */
+    const char* path;  /**< FILE.csv: the tables, FILE.svg: the pictures, FILE.html: a page with
+                          both, a folder, which exists or whose name ends in /: all of them
+                          [NULL: no file] */
+    pcvt_progress_callback progress; /**< [NULL] */
+    void* progress_data;
+} pcvt_study_options;
+
+/** What a study consists of. */
+typedef struct pcvt_study_contents {
+    const char* text; /**< the first columns of the main table and the conclusions, as `pcvt study`
+                         prints them; lines with line ends */
+    int32_t n_tables;
+    int32_t n_pictures;
+} pcvt_study_contents;
+
+/** One table of a study. Table 0 is the main one, the last one has the runs. */
+typedef struct pcvt_table {
+    const char* name;           /**< of its file without .csv: "fig11", "fig11-runs" */
+    const char* const* columns; /**< n_columns names */
+    const char* const* cells;   /**< n_rows times n_columns texts, row after row; numbers have a
+                                   decimal point in every locale */
+    const char* const* notes;   /**< n_notes lines: the study, the columns, the conclusions */
+    int32_t n_columns;
+    int32_t n_rows;
+    int32_t n_notes;
+    int32_t reserved;
+} pcvt_table;
+
+/** One picture of a study. */
+typedef struct pcvt_picture {
+    const char* name; /**< of its file without .svg */
+    const char* svg;  /**< the text of that file */
+} pcvt_picture;
+
 /** An optimised periodic tessellation. */
 typedef struct pcvt_result pcvt_result;
+/** The verdict on a file. */
+typedef struct pcvt_proof pcvt_proof;
+/** The tables and pictures of many runs. */
+typedef struct pcvt_study_result pcvt_study_result;
 
 /*  The next four: any thread, any time. */
 
@@ -578,6 +652,56 @@ PCVT_API pcvt_status pcvt_get_cells(const pcvt_result* result, pcvt_cells* view,
  *  Any thread, any number of calls on one result at once. */
 PCVT_API pcvt_status pcvt_write(const pcvt_result* result, const char* path,
                                 const pcvt_write_options* options);
+
+/*  Files and studies. The module for browsers does not have these calls. */
+
+/** Proves that a file is a periodic tile, only from positions and lattice, as `pcvt check` does.
+ *  The files that belong to it, such as the .seam.json of an .obj, are found beside it.
+ *
+ *      if (pcvt_check("tile.obj", NULL, &proof) >= 0) puts(pcvt_proof_text(proof));
+ *      pcvt_free_proof(proof);
+ *
+ *  @param path     a file, or a .foam folder; its extension selects the format.
+ *  @param options  NULL: the defaults.
+ *  @param proof    the verdict for PCVT_OK and PCVT_REFUTED, to be freed; else NULL.
+ *  @returns PCVT_OK: proved. PCVT_REFUTED: read, but not a periodic tile, or without a property.
+ *  PCVT_ERROR_ARGUMENT: cannot be read, or is of a kind that cannot have a property.
+ *  Any thread, any number of calls at once. */
+PCVT_API pcvt_status pcvt_check(const char* path, const pcvt_check_options* options,
+                                pcvt_proof** proof);
+/** The proved properties with their figures, or the first fault: one line that begins with the
+ * path, without a line end. "" for NULL. Valid until pcvt_free_proof(). Any thread, any time. */
+PCVT_API const char* pcvt_proof_text(const pcvt_proof* proof);
+/** Frees a proof; ignores NULL. Any thread, once no call uses it. */
+PCVT_API void pcvt_free_proof(pcvt_proof* proof);
+
+/** Fills in the defaults of a study: the sites, runs and seed of the paper. Strings and lists
+ * belong to the library. Fields that this library does not have become zero.
+ *  @param struct_size  sizeof(pcvt_study_options) of the host.
+ *  @param abi_version  PCVT_ABI_VERSION of the host.
+ *  @param name         "fig11", ...
+ *  @returns PCVT_ERROR_ARGUMENT for an unknown study, PCVT_ERROR_ABI if the two do not fit this
+ *  library; *options does not change then. Any thread, any time, on options of its own. */
+PCVT_API pcvt_status pcvt_study_options_init(pcvt_study_options* options, size_t struct_size,
+                                             uint32_t abi_version, const char* name);
+/** Makes the runs of a study, and its tables and pictures, as `pcvt study` does.
+ *  @param study  for PCVT_OK, to be freed; else NULL. Either all files of the path appear, or none.
+ *  @returns PCVT_CANCELLED if the progress callback cancelled.
+ *  Any thread, any number of calls at once. It calls the callback only on the calling thread. */
+PCVT_API pcvt_status pcvt_study(const pcvt_study_options* options, pcvt_study_result** study);
+
+/*  Views of a study, as those of a result: any thread, any number of calls at once, valid until
+ *  pcvt_free_study().
+ *  @param k  PCVT_ERROR_ARGUMENT unless 0 ... n_tables - 1, or n_pictures - 1. */
+
+PCVT_API pcvt_status pcvt_get_study_contents(const pcvt_study_result* study,
+                                             pcvt_study_contents* view, size_t view_size);
+PCVT_API pcvt_status pcvt_get_table(const pcvt_study_result* study, int32_t k, pcvt_table* view,
+                                    size_t view_size);
+PCVT_API pcvt_status pcvt_get_picture(const pcvt_study_result* study, int32_t k, pcvt_picture* view,
+                                      size_t view_size);
+/** Frees a study and ends its views; ignores NULL. Any thread, once no call uses it. */
+PCVT_API void pcvt_free_study(pcvt_study_result* study);
 
 #ifdef __cplusplus
 }

@@ -50,21 +50,14 @@ std::string_view field_name(std::string_view option, std::array<char, kLongestTe
 /// The option of the command that names an output; hosts give the path as an argument.
 constexpr std::string_view kOutputOption = "-o ";
 
-/// Replaces the names of options in the message: --wall-cells by wall_cells, --size by grain_size,
-/// "-o tile.obj: ..." by "tile.obj: ...".
-void name_fields() {
-    std::string_view text = text_of_thread;
+/// Calls append_part(part) for each part of a text in which the names of options are replaced:
+/// --wall-cells by wall_cells, --size by grain_size, "-o tile.obj: ..." by "tile.obj: ...".
+template <class AppendPart>
+void append_in_fields(std::string_view text, const AppendPart& append_part) {
     if (text.substr(0, kOutputOption.size()) == kOutputOption) {
         text.remove_prefix(kOutputOption.size());
     }
-    std::array<char, kLongestText> result;
     std::array<char, kLongestText> room;
-    std::size_t n = 0;
-    const auto append_part = [&](std::string_view part) {
-        part = part.substr(0, std::min(part.size(), kLongestText - 1 - n));
-        std::copy(part.begin(), part.end(), result.begin() + static_cast<std::ptrdiff_t>(n));
-        n += part.size();
-    };
     for (std::size_t k = 0; k < text.size();) {
         const bool begins = text.substr(k, 2) == "--" && (k == 0 || text[k - 1] == ' ');
         const std::size_t end =
@@ -74,6 +67,17 @@ void name_fields() {
         append_part(begins ? field_name(part, room) : part);
         k = end;
     }
+}
+
+/// The same for the message of this thread, without an allocation.
+void name_fields() {
+    std::array<char, kLongestText> result;
+    std::size_t n = 0;
+    append_in_fields(text_of_thread, [&](std::string_view part) {
+        part = part.substr(0, std::min(part.size(), kLongestText - 1 - n));
+        std::copy(part.begin(), part.end(), result.begin() + static_cast<std::ptrdiff_t>(n));
+        n += part.size();
+    });
     result[n] = '\0';
     std::memcpy(text_of_thread, result.data(), n + 1);
 }
@@ -92,6 +96,12 @@ const char* last_error() { return text_of_thread; }
 void set_last_error(const char* text) {
     const std::size_t length = append(0, text);
     std::replace(text_of_thread, text_of_thread + length, '\n', ' ');
+}
+
+std::string in_fields(const std::string& message) {
+    std::string text;
+    append_in_fields(message, [&](std::string_view part) { text += part; });
+    return text;
 }
 
 pcvt_status note_failure(const std::exception_ptr& exception) noexcept {

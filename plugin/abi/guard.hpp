@@ -81,6 +81,9 @@ int call_host(const char* name, const std::fenv_t& host, const Callback& callbac
 const char* last_error();
 void set_last_error(const char* text);
 
+/// Replaces the names of options in a message by those of the fields of pcvt.h.
+std::string in_fields(const std::string& message);
+
 /// Stores the text of an exception as this thread's last error and returns its status. Laws, tested
 /// by number:
 ///   (1) AbiMismatch                                  PCVT_ERROR_ABI

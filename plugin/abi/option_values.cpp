@@ -35,6 +35,11 @@ void require_positive(const char* name, double value) {
     throw InvalidInput(std::string(name) + " is not a positive number");
 }
 
+plane::Lattice plane_lattice(const double* numbers) {
+    require_finite("lattice", numbers, 4);
+    return {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+}
+
 void require_one_start(const double* sites, std::int32_t start) {
     if (sites == nullptr || start == PCVT_START_DEFAULT) return;
     throw InvalidInput("start is for drawn sites, but sites gives them; leave one out");

@@ -7,6 +7,7 @@
 
 #include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/plane/geometry/lattice.hpp"
 
 namespace pcvt::abi {
 
@@ -21,6 +22,9 @@ void require_finite_points(const char* name, const double* numbers, int n, int d
 
 /// Requires a positive, finite number.
 void require_positive(const char* name, double value);
+
+/// The lattice of the field `lattice`, four numbers ax, ay, bx, by.
+plane::Lattice plane_lattice(const double* numbers);
 
 /// Requires that sites which are given begin nowhere else.
 void require_one_start(const double* sites, std::int32_t start);

@@ -223,11 +223,6 @@ JobDomain<Lattice> domain_of(const pcvt_options& options, const Lattice& lattice
     return domain;
 }
 
-plane::Lattice plane_lattice(const double* numbers) {
-    require_finite("lattice", numbers, 4);
-    return {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
-}
-
 space::Lattice space_lattice(const double* numbers) {
     require_finite("lattice3", numbers, 9);
     const auto row = [numbers](int k) {

@@ -10,12 +10,14 @@
 
 #include "plugin/abi/density.hpp"
 #include "plugin/abi/guard.hpp"
+#include "plugin/abi/host_progress.hpp"
 #include "plugin/abi/options.hpp"
 #include "plugin/abi/progress_sites.hpp"
 #include "plugin/abi/result.hpp"
 #include "plugin/abi/run_status.hpp"
 #include "plugin/abi/space_result.hpp"
 #include "plugin/abi/struct_versions.hpp"
+#include "plugin/abi/views.hpp"
 #include "plugin/abi/write_options.hpp"
 #include "plugin/job/job_start.hpp"
 #include "plugin/job/version.hpp"
@@ -32,46 +34,6 @@ struct pcvt_result {
 
 namespace pcvt::abi {
 namespace {
-
-/// The numbers of the published interface never change.
-static_assert(static_cast<int>(Phase::kStarting) == PCVT_PHASE_START);
-static_assert(static_cast<int>(Phase::kOptimising) == PCVT_PHASE_OPTIMISE);
-static_assert(static_cast<int>(Phase::kBuilding) == PCVT_PHASE_BUILD);
-static_assert(static_cast<int>(Phase::kProving) == PCVT_PHASE_PROVE);
-static_assert(static_cast<int>(Phase::kWriting) == PCVT_PHASE_WRITE);
-
-/// The progress callback of a host, with its data.
-struct HostProgress {
-    pcvt_progress_callback call;
-    void* data;
-    /// The job whose sites the callback may get; must outlive the run. nullptr: none.
-    const Job* job = nullptr;
-};
-
-/// Whether the host wants the run to continue.
-bool report_progress(const HostProgress& to, double energy_bound, const JobProgress& progress,
-                     const std::fenv_t& host) {
-    const pcvt_progress view{.struct_size = sizeof view,
-                             .iteration = progress.run.iteration,
-                             .evaluations = progress.run.evaluations,
-                             .energy = progress.run.value,
-                             .energy_bound = energy_bound,
-                             .residual = progress.run.residual,
-                             .rms_residual = progress.run.rms_residual,
-                             .phase = static_cast<std::int32_t>(progress.phase),
-                             .reserved = 0,
-                             .fraction = progress.fraction,
-                             .phase_text = progress.text.c_str()};
-    const ProgressSites sites(to.job, progress.run);
-    return call_host("progress", host, [&] { return to.call(&view, to.data); }) == 0;
-}
-
-JobCallback job_callback(const HostProgress& to, double energy_bound, const std::fenv_t& host) {
-    if (to.call == nullptr) return {};
-    return [=, &host](const JobProgress& progress) {
-        return report_progress(to, energy_bound, progress, host);
-    };
-}
 
 /// The bound of the energy, which runs without a density have; else NaN.
 double bound_of(const pcvt_options& options, const Job& job) {
@@ -135,19 +97,6 @@ const SpaceResult& space_content(const pcvt_result* result) {
     throw InvalidInput("the result has two dimensions; take pcvt_get_tile or pcvt_get_mesh");
 }
 
-/// Fills a view, in the size that the host knows.
-template <class View, class Look>
-pcvt_status give(const char* name, View* view, std::size_t size, const Look& look) {
-    return guarded([&](const std::fenv_t&) {
-        if (view == nullptr) throw InvalidInput("view is a null pointer");
-        check_struct_size(name, size, kOldestSize<View>);
-        const View full = look();
-        std::memset(static_cast<void*>(view), 0, size);
-        std::memcpy(static_cast<void*>(view), &full, std::min(size, sizeof full));
-        return pcvt_status{PCVT_OK};
-    });
-}
-
 pcvt_status write(const pcvt_result* result, const char* path, const pcvt_write_options* given,
                   const std::fenv_t& host) {
     const auto& made = content(result);
@@ -187,6 +136,8 @@ const char* pcvt_status_text(pcvt_status status) {
             return "cancelled";
         case PCVT_NOT_CONVERGED:
             return "not converged";
+        case PCVT_REFUTED:
+            return "refuted";
         case PCVT_ERROR_ARGUMENT:
             return "an argument is wrong";
         case PCVT_ERROR_ABI:
@@ -209,16 +160,7 @@ const char* pcvt_status_text(pcvt_status status) {
 const char* pcvt_last_error(void) { return last_error(); }
 
 pcvt_status pcvt_options_init(pcvt_options* options, size_t struct_size, uint32_t abi_version) {
-    return guarded([&](const std::fenv_t&) {
-        if (options == nullptr) throw pcvt::InvalidInput("options is a null pointer");
-        check_version(abi_version);
-        check_struct_size("pcvt_options", struct_size, kOldestSize<pcvt_options>);
-        std::memset(static_cast<void*>(options), 0, struct_size);
-        const pcvt_options defaults = default_options();
-        std::memcpy(static_cast<void*>(options), &defaults, std::min(struct_size, sizeof defaults));
-        options->struct_size = struct_size;
-        return pcvt_status{PCVT_OK};
-    });
+    return give_defaults("pcvt_options", options, struct_size, abi_version, default_options);
 }
 
 pcvt_status pcvt_generate(const pcvt_options* options, pcvt_result** result) {

@@ -35,6 +35,8 @@ void check_tail(const char* name, const void* begin, std::size_t size, std::size
 /// Whether a host has set a field that later versions may use.
 bool uses_reserved_fields(const pcvt_options& options);
 bool uses_reserved_fields(const pcvt_write_options& options);
+inline bool uses_reserved_fields(const pcvt_check_options& /*options*/) { return false; }
+inline bool uses_reserved_fields(const pcvt_study_options& /*options*/) { return false; }
 /// @throws AbiMismatch
 [[noreturn]] void throw_unknown_fields(const char* name);
 

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "io/outputs/distinct_paths.hpp"
-#include "io/outputs/output_set.hpp"
 #include "io/page/study_page.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
@@ -138,13 +137,18 @@ std::vector<StudyFile> plan_study_files(const std::vector<std::string>& outputs,
     return files;
 }
 
+void stage_study(const Study& study, const StudyResult& result, const std::vector<StudyFile>& files,
+                 OutputSet& outputs) {
+    for (const StudyFile& file : files) {
+        outputs.stage(file.path, file.encode(study, result, file.index));
+    }
+}
+
 std::vector<std::string> write_study(const Study& study, const StudyResult& result,
                                      const std::vector<StudyFile>& files, bool force,
                                      const WaitingCallback& waiting) {
     OutputSet outputs;
-    for (const StudyFile& file : files) {
-        outputs.stage(file.path, file.encode(study, result, file.index));
-    }
+    stage_study(study, result, files, outputs);
     std::vector<std::string> recovered = outputs.wait_for_turn(waiting);
     const ClientScope no_client(nullptr);
     outputs.commit(force);

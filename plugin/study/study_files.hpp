@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/outputs/commit_locks.hpp"
+#include "io/outputs/output_set.hpp"
 #include "plugin/study/study.hpp"
 
 namespace pcvt {
@@ -29,6 +30,10 @@ struct StudyFile {
 std::vector<StudyFile> plan_study_files(const std::vector<std::string>& outputs,
                                         const std::string& study, StudyShard shard,
                                         const std::vector<std::string>& inputs);
+
+/// Stages all files, for a commit by the caller.
+void stage_study(const Study& study, const StudyResult& result, const std::vector<StudyFile>& files,
+                 OutputSet& outputs);
 
 /// Writes all files, or none, once no other run writes to their folders.
 /// @param waiting  called with words when the files have to wait for another run; may be empty.

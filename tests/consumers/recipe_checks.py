@@ -333,6 +333,12 @@ def check_python(folder, text):
     require(re.search(r"^energy 0\.000\d+, \d+ points, 300 cells$", text, re.M), "what it prints")
 
 
+def check_files_in_c(folder, printed):
+    require("tile.obj: a periodic tile: " in printed, printed)
+    require(re.search(r"^4 sites: [\d.]+ percent$", printed, re.MULTILINE), printed)
+    require_files(folder, "fig11/fig11.csv", "fig11/fig11-runs.csv", "fig11/fig11.svg", "fig11/fig11.html")
+
+
 def check_polyhedra(folder, _):
     require_files(folder, "tile.foam/constant/polyMesh/faces")
 
@@ -377,6 +383,7 @@ ROWS = {
     ("Tables", ""): Row(),
     ("Tables", "A table of grains"): Row(check_table_of_grains),
     ("C and C++", "A program in C"): Row(check_c_program, programs=("cc",)),
+    ("C and C++", "Files and studies"): Row(check_files_in_c, programs=("cc",)),
     ("Python", ""): Row(),
     ("Python", "A tile and its seam"): Row(check_python, modules=("matplotlib",)),
     ("Python", "Polyhedra"): Row(check_polyhedra),

@@ -85,3 +85,29 @@ class WriteOptions(ctypes.Structure):
                 ("pixels", c_int32), ("element", c_int32), ("cut_width", c_double), ("background", c_char_p),
                 ("voxels", c_int32 * 2), ("job", c_int32), ("voxel_layers", c_int32), ("thickness", c_double),
                 ("surface", c_int32), ("reserved2", c_int32), ("materials", c_char_p), ("coriolis", c_double * 2)]
+
+
+class CheckOptions(ctypes.Structure):
+    _fields_ = [("struct_size", c_size_t), ("lattice", c_double * 4), ("tolerance", c_double), ("cvt", c_double),
+                ("areas", c_char_p), ("inclusions", c_char_p), ("density", c_char_p),
+                ("density_range", c_double * 2), ("progress", ProgressCallback), ("progress_data", c_void_p)]
+
+
+class StudyOptions(ctypes.Structure):
+    _fields_ = [("struct_size", c_size_t), ("name", c_char_p), ("sites", c_void_p), ("n_sites", c_int32),
+                ("runs", c_int32), ("seed", c_uint64), ("n_threads", c_int32), ("replace", c_int32),
+                ("path", c_char_p), ("progress", ProgressCallback), ("progress_data", c_void_p)]
+
+
+class StudyContents(ctypes.Structure):
+    _fields_ = [("text", c_char_p), ("n_tables", c_int32), ("n_pictures", c_int32)]
+
+
+class Table(ctypes.Structure):
+    _fields_ = [("name", c_char_p), ("columns", POINTER(c_char_p)), ("cells", POINTER(c_char_p)),
+                ("notes", POINTER(c_char_p)), ("n_columns", c_int32), ("n_rows", c_int32), ("n_notes", c_int32),
+                ("reserved", c_int32)]
+
+
+class Picture(ctypes.Structure):
+    _fields_ = [("name", c_char_p), ("svg", c_char_p)]

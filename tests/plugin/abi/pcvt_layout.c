@@ -14,6 +14,7 @@ static void print_numbers(void) {
     NUMBER(PCVT_OK);
     NUMBER(PCVT_CANCELLED);
     NUMBER(PCVT_NOT_CONVERGED);
+    NUMBER(PCVT_REFUTED);
     NUMBER(PCVT_ERROR_ARGUMENT);
     NUMBER(PCVT_ERROR_ABI);
     NUMBER(PCVT_ERROR_DOMAIN);
@@ -308,6 +309,60 @@ static void print_write_options(void) {
     FIELD(pcvt_write_options, coriolis);
 }
 
+static void print_check_options(void) {
+    STRUCT(pcvt_check_options);
+    FIELD(pcvt_check_options, struct_size);
+    FIELD(pcvt_check_options, lattice);
+    FIELD(pcvt_check_options, tolerance);
+    FIELD(pcvt_check_options, cvt);
+    FIELD(pcvt_check_options, areas);
+    FIELD(pcvt_check_options, inclusions);
+    FIELD(pcvt_check_options, density);
+    FIELD(pcvt_check_options, density_range);
+    FIELD(pcvt_check_options, progress);
+    FIELD(pcvt_check_options, progress_data);
+}
+
+static void print_study_options(void) {
+    STRUCT(pcvt_study_options);
+    FIELD(pcvt_study_options, struct_size);
+    FIELD(pcvt_study_options, name);
+    FIELD(pcvt_study_options, sites);
+    FIELD(pcvt_study_options, n_sites);
+    FIELD(pcvt_study_options, runs);
+    FIELD(pcvt_study_options, seed);
+    FIELD(pcvt_study_options, n_threads);
+    FIELD(pcvt_study_options, replace);
+    FIELD(pcvt_study_options, path);
+    FIELD(pcvt_study_options, progress);
+    FIELD(pcvt_study_options, progress_data);
+}
+
+static void print_study_contents(void) {
+    STRUCT(pcvt_study_contents);
+    FIELD(pcvt_study_contents, text);
+    FIELD(pcvt_study_contents, n_tables);
+    FIELD(pcvt_study_contents, n_pictures);
+}
+
+static void print_table(void) {
+    STRUCT(pcvt_table);
+    FIELD(pcvt_table, name);
+    FIELD(pcvt_table, columns);
+    FIELD(pcvt_table, cells);
+    FIELD(pcvt_table, notes);
+    FIELD(pcvt_table, n_columns);
+    FIELD(pcvt_table, n_rows);
+    FIELD(pcvt_table, n_notes);
+    FIELD(pcvt_table, reserved);
+}
+
+static void print_picture(void) {
+    STRUCT(pcvt_picture);
+    FIELD(pcvt_picture, name);
+    FIELD(pcvt_picture, svg);
+}
+
 int main(void) {
     print_numbers();
     print_progress();
@@ -320,5 +375,10 @@ int main(void) {
     print_cells();
     print_statistics();
     print_write_options();
+    print_check_options();
+    print_study_options();
+    print_study_contents();
+    print_table();
+    print_picture();
     return 0;
 }
