@@ -60,7 +60,7 @@ enum {
     /** There is a result, but the run ended above the tolerance: at the iteration limit, or at the
      *  limit of double precision. Not for max_iterations = 0. */
     PCVT_NOT_CONVERGED = 2,
-    /** pcvt_check() found that a file is not a periodic tile, or that it lacks a property. */
+    /** pcvt_check() found that a file is damaged, not a periodic tile, or without a property. */
     PCVT_REFUTED = 3,
     /** A null pointer, a value that is out of range or not finite, or an unknown choice. */
     PCVT_ERROR_ARGUMENT = -1,
@@ -664,8 +664,9 @@ PCVT_API pcvt_status pcvt_write(const pcvt_result* result, const char* path,
  *  @param path     a file, or a .foam folder; its extension selects the format.
  *  @param options  NULL: the defaults.
  *  @param proof    the verdict for PCVT_OK and PCVT_REFUTED, to be freed; else NULL.
- *  @returns PCVT_OK: proved. PCVT_REFUTED: read, but not a periodic tile, or without a property.
- *  PCVT_ERROR_ARGUMENT: cannot be read, or is of a kind that cannot have a property.
+ *  @returns PCVT_OK: proved. PCVT_REFUTED: damaged, not a periodic tile, or without a property.
+ *  PCVT_ERROR_ARGUMENT: it cannot be opened, names no lattice where none is given, or is of a kind
+ *  that cannot have a property.
  *  Any thread, any number of calls at once. */
 PCVT_API pcvt_status pcvt_check(const char* path, const pcvt_check_options* options,
                                 pcvt_proof** proof);

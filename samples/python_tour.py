@@ -28,6 +28,10 @@ print(f"{len(seam)} pairs on the seam; largest misfit {misfit:.1e}")
 wave = "1 + 12*exp(-8*(1 - cos(2*_pi*(y - 0.15*sin(2*_pi*x)))))"
 graded = pcvt.mesh(sites=150, density=wave)
 
+# %% Count how often random starts of 8 and 9 cells end in hexagons only, as in the paper's Fig. 11.
+study = pcvt.study("fig11", sites=[8, 9], runs=50)
+print(f"hexagons only: {study.table['percent']} percent")
+
 # %% Draw cells, triangles and graded cells side by side.
 matplotlib.use("Agg")
 from matplotlib import pyplot

@@ -14,4 +14,11 @@ class BadFile : public InvalidInput {
     using InvalidInput::InvalidInput;
 };
 
+/// A file may be right, but cannot be examined: it cannot be opened, its format is unknown or does
+/// not have what is to be examined, or it names no lattice, and none is given.
+class UnusableFile : public BadFile {
+   public:
+    using BadFile::BadFile;
+};
+
 }  // namespace pcvt

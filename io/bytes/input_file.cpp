@@ -17,7 +17,7 @@ constexpr const char* kStandardInputName = "standard input";
 
 [[noreturn]] void throw_unreadable(const std::string& name, const std::string& reason,
                                    const std::string& remedy = "give a readable file") {
-    throw BadFile(name + ": cannot read: " + reason + "; " + remedy);
+    throw UnusableFile(name + ": cannot read: " + reason + "; " + remedy);
 }
 
 [[noreturn]] void throw_unreadable(const std::string& name, int error) {

@@ -201,7 +201,7 @@ TileFile finish(FileTileBuilder file, const std::optional<plane::Lattice>& latti
         check_pair(file, {p.v0, p.v1, p.w0, p.w1}, p.offset);
     if (!file.lattice) file.lattice = lattice;
     if (!file.lattice)
-        throw_bad_file(file, "the file names no lattice; pass --lattice AX,AY,BX,BY");
+        throw UnusableFile(file.name + ": the file names no lattice; pass --lattice AX,AY,BX,BY");
     const bool has_vertex_pairs = !file.vertex_pairs.empty();
     const bool has_edge_pairs = !file.edge_pairs.empty();
     plane::Tile tile{.lattice = *file.lattice,

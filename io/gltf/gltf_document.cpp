@@ -70,6 +70,10 @@ void GltfDocument::throw_bad_file(const std::string& complaint) const {
     throw BadFile(path_ + ": " + complaint);
 }
 
+void GltfDocument::throw_unusable(const std::string& complaint) const {
+    throw UnusableFile(path_ + ": " + complaint);
+}
+
 const Json& GltfDocument::member(const Json& object, const std::string& key) {
     static const Json kNull;
     const Json* found = object.find(key);

@@ -61,6 +61,8 @@ class GltfDocument {
 
     /// Throws BadFile `file: complaint`.
     [[noreturn]] void throw_bad_file(const std::string& complaint) const;
+    /// @throws UnusableFile  in the same form.
+    [[noreturn]] void throw_unusable(const std::string& complaint) const;
 
    private:
     /// The bytes of an accessor: element k begins at data + k * stride.

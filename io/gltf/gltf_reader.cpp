@@ -194,7 +194,7 @@ plane::Lattice find_lattice(const Finding& finding, const std::optional<plane::L
     const Json& rows = finding.periodic_member("lattice");
     if (!rows.is_null()) return read_lattice(finding.document, rows);
     if (!given)
-        finding.document.throw_bad_file(
+        finding.document.throw_unusable(
             "has no lattice in extras.periodic; pass --lattice AX,AY,BX,BY");
     return *given;
 }

@@ -110,7 +110,8 @@ TileFile decode_foam_layer(const std::vector<EncodedFile>& files,
     FileTileBuilder comments = read_comments(boundary);
     const std::optional<plane::Lattice> known = comments.lattice ? comments.lattice : lattice;
     if (!known) {
-        throw BadFile(boundary.path + ": the file names no lattice; pass --lattice AX,AY,BX,BY");
+        throw UnusableFile(boundary.path +
+                           ": the file names no lattice; pass --lattice AX,AY,BX,BY");
     }
     const FiniteVolumeMesh extruded = decode_foam_mesh(files, 2);
     const bool states_lattice = comments.lattice.has_value();

@@ -47,7 +47,11 @@ void set_centroids(const pcvt_check_options& options, checks::Question& question
     if (!question.cvt_tolerance) throw InvalidInput("density is for cvt; set that too");
     question.density = [source = std::string(options.density),
                         range](const plane::Lattice& lattice) {
-        return source_density(source, range, lattice);
+        try {
+            return source_density(source, range, lattice);
+        } catch (const BadFile& error) {
+            throw UnusableFile(error.what());  // The picture is wrong, not the file.
+        }
     };
 }
 
@@ -71,14 +75,24 @@ checks::Question question_of(const pcvt_check_options& options) {
     return question;
 }
 
-/// @throws InvalidInput where the file cannot be read.
+/// The verdict with its text as one line without a line end.
+pcvt_proof verdict(bool is_proved, std::string text) {
+    while (text.ends_with('\n')) text.pop_back();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return {is_proved, std::move(text)};
+}
+
+/// A file whose contents are not what its format demands is refuted as well.
+/// @throws InvalidInput where it cannot be examined.
 pcvt_proof proof_of(const std::string& path, const checks::Question& question) {
     try {
-        std::string line = checks::prove(path, question);
-        if (line.ends_with('\n')) line.pop_back();
-        return {true, std::move(line)};
+        return verdict(true, checks::prove(path, question));
     } catch (const NotATile& refutation) {
-        return {false, in_fields(refutation.what())};
+        return verdict(false, in_fields(refutation.what()));
+    } catch (const UnusableFile&) {
+        throw;
+    } catch (const BadFile& refutation) {
+        return verdict(false, in_fields(refutation.what()));
     }
 }
 

@@ -104,17 +104,18 @@ Study study_of(const pcvt_study_options& options) {
     return study;
 }
 
-/// Shows the runs done to a monitor. Words follow ten times a second at most, so that a slow
+/// Shows the runs done to a monitor, ten times a second at most and at the end, so that a slow
 /// callback of the host does not hold up the runs.
 class RunsShown {
    public:
     explicit RunsShown(JobMonitor& monitor) : monitor_(monitor) {}
 
     void show(const StudyProgress& progress) {
-        monitor_.advance(progress.share);
         const auto now = std::chrono::steady_clock::now();
-        if (now - shown_ < std::chrono::milliseconds(100)) return;
+        const bool is_last = progress.runs_done == progress.n_runs;
+        if (!is_last && now - shown_ < std::chrono::milliseconds(100)) return;
         shown_ = now;
+        monitor_.advance(progress.share);
         monitor_.describe(std::to_string(progress.runs_done) + " of " +
                           std::to_string(progress.n_runs) + " runs");
     }

@@ -73,9 +73,9 @@ plane::AreaComparison compare_face_areas(const plane::Tile& tile, const plane::T
 }
 
 [[noreturn]] void refuse_without_weights(const std::string& path) {
-    throw BadFile(path +
-                  ": states no weights of its sites, so it has no power cells; check it "
-                  "without --areas");
+    throw UnusableFile(path +
+                       ": states no weights of its sites, so it has no power cells; check it "
+                       "without --areas");
 }
 
 /// Compares the areas of n cells with the target areas.

@@ -15,8 +15,8 @@ namespace pcvt::checks {
 ///     line += prove_tile_areas(path, file, proof, read_areas("grains.txt"));
 ///
 /// @returns the end of a line of proof.
-/// @throws NotATile  naming the cell with another area.
-/// @throws BadFile   the file states no weights.
+/// @throws NotATile      naming the cell with another area.
+/// @throws UnusableFile  the file states no weights.
 std::string prove_tile_areas(const std::string& path, const TileFile& file,
                              const plane::TileProof& proof, const AreaFile& wanted);
 

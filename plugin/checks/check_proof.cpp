@@ -27,8 +27,8 @@ namespace {
 const Format& readable_format(const std::string& path) {
     const Format* format = find_format(path);
     if (format == nullptr || !format->is_readable()) {
-        throw BadFile(path + ": not a format that is read back; give one of " +
-                      readable_extensions());
+        throw UnusableFile(path + ": not a format that is read back; give one of " +
+                           readable_extensions());
     }
     return *format;
 }
@@ -159,16 +159,17 @@ std::string orbits_text(const std::vector<int>& orbits) {
 std::string prove_grid(GridReader* read, const Format& format, const std::string& path,
                        const Question& question) {
     if (question.cvt_tolerance) {
-        throw BadFile(path + ": --cvt is not for MPAS files; check a tile of the same run");
+        throw UnusableFile(path + ": --cvt is not for MPAS files; check a tile of the same run");
     }
     if (question.areas) {
-        throw BadFile(path + ": --areas is not for MPAS files, which have no power cells");
+        throw UnusableFile(path + ": --areas is not for MPAS files, which have no power cells");
     }
     if (question.inclusions) {
-        throw BadFile(path + ": --inclusions is not for MPAS files; check a tile of the same run");
+        throw UnusableFile(path +
+                           ": --inclusions is not for MPAS files; check a tile of the same run");
     }
     if (question.tolerance > 0) {
-        throw BadFile(path + ": --tolerance is not for MPAS files; leave it out");
+        throw UnusableFile(path + ": --tolerance is not for MPAS files; leave it out");
     }
     const std::vector<EncodedFile> files = read_files(format, path);
     const MpasGrid grid = read(files);
@@ -198,13 +199,13 @@ std::string unseen_text(const std::vector<SiteId>& unseen) {
 std::string prove_voxel_image(VoxelReader* read, const Format& format, const std::string& path,
                               const Question& question) {
     if (question.cvt_tolerance) {
-        throw BadFile(path + ": --cvt is not for voxels; check a tile of the same run");
+        throw UnusableFile(path + ": --cvt is not for voxels; check a tile of the same run");
     }
     if (question.inclusions) {
-        throw BadFile(path + ": --inclusions is not for voxels; check a tile of the same run");
+        throw UnusableFile(path + ": --inclusions is not for voxels; check a tile of the same run");
     }
     if (question.tolerance > 0) {
-        throw BadFile(path + ": --tolerance is not for voxels; leave it out");
+        throw UnusableFile(path + ": --tolerance is not for voxels; leave it out");
     }
     const std::vector<EncodedFile> files = read_files(format, path);
     const VoxelFile file = read(files);
@@ -232,7 +233,7 @@ std::string prove_tile_in_space(const std::string& path, const std::vector<Encod
     const bool of_the_plane =
         question.lattice || question.areas || question.inclusions || question.density;
     if (of_the_plane) {
-        throw BadFile(
+        throw UnusableFile(
             path +
             ": holds a tile in space, which states its lattice and is proved without further "
             "options but --cvt and --tolerance; leave the others out");
@@ -296,8 +297,8 @@ std::string prove_one_tile(const Format& format, const std::string& path, const 
 std::string prove(const std::string& path, const Question& question) {
     const Format& format = readable_format(path);
     if (const std::optional<std::string> journal = unfinished_set_of(format.paths(path))) {
-        throw BadFile(path + ": a run ended before it had written all files of its set (" +
-                      *journal + "); run pcvt again in that folder, which finishes the set");
+        throw UnusableFile(path + ": a run ended before it had written all files of its set (" +
+                           *journal + "); run pcvt again in that folder, which finishes the set");
     }
     std::string content = format.reads_voxels() ? "a voxel image"
                           : format.reads_grid() ? "an MPAS mesh"

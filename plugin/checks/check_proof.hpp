@@ -36,7 +36,9 @@ struct Question {
 ///
 /// @throws NotATile      where the file is refuted; the message begins with the path and names what
 ///                       the file should hold.
-/// @throws InvalidInput  where it cannot be read, or lacks a property.
+/// @throws UnusableFile  where it cannot be read, or cannot have a property.
+/// @throws BadFile       where its contents are not what its format demands.
+/// @throws InvalidInput  of the density.
 std::string prove(const std::string& path, const Question& question);
 
 }  // namespace pcvt::checks

@@ -26,9 +26,9 @@ auto naming_shapes(const InclusionFile& shapes, const Work& work) {
     try {
         return work();
     } catch (const plane::BadInclusion& error) {
-        throw BadFile(error.in_file(shapes.name));
+        throw UnusableFile(error.in_file(shapes.name));
     } catch (const InvalidInput& error) {
-        throw BadFile(shapes.name + ": " + error.what());
+        throw UnusableFile(shapes.name + ": " + error.what());
     }
 }
 
@@ -295,12 +295,13 @@ class InclusionCheck {
 std::string prove_inclusions(const std::string& path, const TileFile& file,
                              const plane::TileProof& proof, const InclusionFile& shapes) {
     if (!faces_have_sites(file.tile.kind)) {
-        throw BadFile(path +
-                      ": Delaunay triangles cross the outlines of inclusions; check a tile of "
-                      "cells or grains of the same run");
+        throw UnusableFile(path +
+                           ": Delaunay triangles cross the outlines of inclusions; check a tile of "
+                           "cells or grains of the same run");
     }
     if (file.tile.site_positions.empty() || file.tile.columns < 1) {
-        throw BadFile(path + ": states no positions of its sites; check a format that holds them");
+        throw UnusableFile(path +
+                           ": states no positions of its sites; check a format that holds them");
     }
     return InclusionCheck(file, proof, shapes).prove();
 }

@@ -19,8 +19,9 @@ namespace pcvt::checks {
 ///     line += prove_inclusions(path, file, proof, read_inclusions("shapes.txt"));
 ///
 /// @returns the end of a line of proof.
-/// @throws NotATile  naming the line of the shape.
-/// @throws BadFile   the file has no cells or states no positions of its sites, or the shapes are
+/// @throws NotATile      naming the line of the shape.
+/// @throws UnusableFile  the file has no cells or states no positions of its sites, or the shapes
+/// are
 ///                   wrong.
 std::string prove_inclusions(const std::string& path, const TileFile& file,
                              const plane::TileProof& proof, const InclusionFile& shapes);

@@ -12,7 +12,7 @@ namespace pcvt::checks {
 namespace {
 
 std::string cvt_text(const std::string& path, const SpaceFileProof& proof, double tolerance) {
-    if (!proof.sites) throw BadFile(path + ": --cvt needs the sites, which the file lacks");
+    if (!proof.sites) throw UnusableFile(path + ": --cvt needs the sites, which the file lacks");
     const double found = proof.sites->from_centroid;
     if (!(found <= tolerance)) {
         throw NotATile("a site lies " + figure(found) + " h off the centroid of its cell, more " +
@@ -25,14 +25,15 @@ std::string cvt_text(const std::string& path, const SpaceFileProof& proof, doubl
 void refuse_cvt(const std::string& path, const std::optional<double>& cvt_tolerance,
                 const char* found) {
     if (!cvt_tolerance) return;
-    throw BadFile(path + ": --cvt needs cells, and the file holds " + found + "; check a .vtu");
+    throw UnusableFile(path + ": --cvt needs cells, and the file holds " + found +
+                       "; check a .vtu");
 }
 
 /// Requires that no tolerance of positions is given for a file that does not need one.
 void refuse_tolerance(const std::string& path, double tolerance, const char* found) {
     if (tolerance == 0) return;
-    throw BadFile(path + ": --tolerance is for cells and tetrahedra, and the file holds " + found +
-                  "; leave it out");
+    throw UnusableFile(path + ": --tolerance is for cells and tetrahedra, and the file holds " +
+                       found + "; leave it out");
 }
 
 /// Proves files by `prove`, which takes a tolerance.

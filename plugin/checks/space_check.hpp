@@ -24,8 +24,8 @@ std::string space_content_text(SpaceFileKind kind);
 /// @param tolerance      of positions, length units; 0: 4 ulps of the largest coordinate.
 /// @returns a line that states the proved properties.
 /// @pre space_file_kind(files) is not empty.
-/// @throws NotATile  where the files are refuted.
-/// @throws BadFile   where they cannot be read, or hold no sites.
+/// @throws NotATile      where the files are refuted.
+/// @throws UnusableFile  where they cannot have the property; BadFile where they are wrong.
 std::string prove_space_tile(const std::string& path, const std::vector<EncodedFile>& files,
                              std::optional<double> cvt_tolerance, double tolerance = 0);
 

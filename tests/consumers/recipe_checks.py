@@ -339,6 +339,12 @@ def check_files_in_c(folder, printed):
     require_files(folder, "fig11/fig11.csv", "fig11/fig11-runs.csv", "fig11/fig11.svg", "fig11/fig11.html")
 
 
+def check_files_in_python(folder, printed):
+    require(re.search(r"^tile.obj: a periodic tile: 152 vertices, 60 faces, .*, centroidal Voronoi within ", printed,
+                      re.MULTILINE), printed)
+    require_files(folder, "fig11/fig11.csv", "fig11/fig11-runs.csv", "fig11/fig11.svg", "fig11/fig11.html")
+
+
 def check_polyhedra(folder, _):
     require_files(folder, "tile.foam/constant/polyMesh/faces")
 
@@ -386,6 +392,7 @@ ROWS = {
     ("C and C++", "Files and studies"): Row(check_files_in_c, programs=("cc",)),
     ("Python", ""): Row(),
     ("Python", "A tile and its seam"): Row(check_python, modules=("matplotlib",)),
+    ("Python", "Files and studies"): Row(check_files_in_python),
     ("Python", "Polyhedra"): Row(check_polyhedra),
     ("JavaScript", "The package"): Row(reason="tests/plugin/browser/run packs the package and imports it"),
     ("Samples", ""): Row(),

@@ -16,6 +16,11 @@ With three periods the cells are polyhedra:
     tile = result.tile()                         # points, faces, owner, neighbour, partners
     result.write("tile.vtu")
 
+Files are proved, and the studies of the paper are made, as by the command:
+
+    assert pcvt.check("tile.glb")                # false where a file is refuted; print() shows the verdict
+    pcvt.study("fig11", sites=[8, 9], runs=100).table["percent"]
+
 The environment variable PCVT_LIBRARY names libpcvt.so. Without it the package looks for
 libpcvt.so.0.3 in its own folder, in the folder above, in the `lib` that it is installed in, and then
 where the system's loader finds libraries.
@@ -33,15 +38,17 @@ except ModuleNotFoundError as missing:
                               "python3-numpy", name=missing.name) from None
 
 from ._callbacks import Progress
+from ._check import CheckResult, check
 from ._library import (ArgumentError, Cancelled, DensityError, Error, GeometryError, LimitError, OutputError,
                        library)
 from ._mesh import mesh, pattern, space
 from ._result import Result
 from ._space import SpaceResult, SpaceTile
+from ._study import StudyResult, study
 from ._views import Statistics, Tile, TorusMesh
 
-__all__ = ["mesh", "pattern", "space", "version", "Result", "Tile", "TorusMesh", "SpaceResult", "SpaceTile",
-           "Statistics", "Progress", "Error", "Cancelled", "ArgumentError", "DensityError", "GeometryError",
+__all__ = ["mesh", "pattern", "space", "check", "study", "version", "Result", "Tile", "TorusMesh", "SpaceResult",
+           "SpaceTile", "CheckResult", "StudyResult", "Statistics", "Progress", "Error", "Cancelled", "ArgumentError", "DensityError", "GeometryError",
            "LimitError", "OutputError"]
 
 

@@ -1,7 +1,7 @@
 """Types of the public names; the docstrings are those of the modules."""
 
 import os
-from typing import Any, Callable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union, overload
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -172,6 +172,24 @@ class SpaceResult:
         **fields: float,
     ) -> None: ...
 
+class CheckResult:
+    lines: Tuple[str, ...]
+    refuted: Tuple[str, ...]
+    def __init__(self, verdicts: Sequence[Tuple[str, bool, str]]) -> None: ...
+    def __bool__(self) -> bool: ...
+
+class StudyResult:
+    name: str
+    tables: Dict[str, _Records]
+    notes: Dict[str, List[str]]
+    pictures: Dict[str, str]
+    def __init__(self, handle: Any) -> None: ...
+    @property
+    def table(self) -> _Records: ...
+    @property
+    def runs(self) -> _Records: ...
+    def _repr_svg_(self) -> Optional[str]: ...
+
 # Three period vectors are known by their tuples; for those in an array call space(), or state the type of the result.
 @overload
 def mesh(  # type: ignore[misc]
@@ -246,3 +264,27 @@ def pattern(  # type: ignore[misc]
 def pattern(
     sites: int, lattice: Optional[ArrayLike] = None, *, period: Optional[ArrayLike] = None, **options: Any
 ) -> Result: ...
+def check(
+    path: Union[_Path, Sequence[_Path]],
+    *,
+    lattice: Optional[ArrayLike] = None,
+    period: Optional[ArrayLike] = None,
+    tolerance: Optional[float] = None,
+    cvt: Optional[float] = None,
+    areas: Optional[_Path] = None,
+    inclusions: Optional[_Path] = None,
+    density: Optional[_Path] = None,
+    density_range: Tuple[float, float] = (0, 0),
+    progress: Optional[_Watch] = None,
+) -> CheckResult: ...
+def study(
+    name: str,
+    sites: Union[None, int, Sequence[int], _Integers] = None,
+    runs: Optional[int] = None,
+    seed: Optional[int] = None,
+    *,
+    threads: int = 0,
+    path: Optional[_Path] = None,
+    replace: bool = False,
+    progress: Optional[_Watch] = None,
+) -> StudyResult: ...

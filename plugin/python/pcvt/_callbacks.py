@@ -32,7 +32,7 @@ class Progress(NamedTuple):
 
     @one_line
     def __repr__(self):
-        if self.phase == "optimise":
+        if self.phase == "optimise" and self.evaluations != 0:
             return f"{self.phase_text}, iteration {self.iteration}, residual {self.residual:.2g}"
         return self.phase_text + (f", {self.fraction:.0%}" if self.fraction >= 0 else "")
 

@@ -108,12 +108,17 @@ def generated(options, density, progress):
     return handle
 
 
+def watched(options, progress, call):
+    """Calls the library with a function as the progress of options, and returns the status."""
+    with Callbacks(None, progress) as callbacks:
+        options.progress = _structs.ProgressCallback(callbacks.show_progress)
+        status = call()
+        if callbacks.error is not None:
+            raise callbacks.error
+    return status
+
+
 def written(handle, path, options, progress):
     """Writes the files of a result. `path` may be None."""
     file = None if path is None else text("path", path)
-    with Callbacks(None, progress) as callbacks:
-        options.progress = _structs.ProgressCallback(callbacks.show_progress)
-        status = library.pcvt_write(handle.pointer, file, byref(options))
-        if callbacks.error is not None:
-            raise callbacks.error
-        checked(status)
+    checked(watched(options, progress, lambda: library.pcvt_write(handle.pointer, file, byref(options))))

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ._structs import Cells, Inclusions, Mesh, Options, Sites, Statistics, Tile, WriteOptions
+from ._structs import (Cells, CheckOptions, Inclusions, Mesh, Options, Picture, Sites, Statistics, StudyContents,
+                       StudyOptions, Table, Tile, WriteOptions)
 
 ABI_VERSION = 0x00000003
 
@@ -60,6 +61,15 @@ _FUNCTIONS = {
     "pcvt_get_tile": (c_int32, c_void_p, c_int32, c_int32, POINTER(Tile), c_size_t),
     "pcvt_get_cells": (c_int32, c_void_p, POINTER(Cells), c_size_t),
     "pcvt_write": (c_int32, c_void_p, c_char_p, POINTER(WriteOptions)),
+    "pcvt_check": (c_int32, c_char_p, POINTER(CheckOptions), POINTER(c_void_p)),
+    "pcvt_proof_text": (c_char_p, c_void_p),
+    "pcvt_free_proof": (None, c_void_p),
+    "pcvt_study_options_init": (c_int32, POINTER(StudyOptions), c_size_t, c_uint32, c_char_p),
+    "pcvt_study": (c_int32, POINTER(StudyOptions), POINTER(c_void_p)),
+    "pcvt_get_study_contents": (c_int32, c_void_p, POINTER(StudyContents), c_size_t),
+    "pcvt_get_table": (c_int32, c_void_p, c_int32, POINTER(Table), c_size_t),
+    "pcvt_get_picture": (c_int32, c_void_p, c_int32, POINTER(Picture), c_size_t),
+    "pcvt_free_study": (None, c_void_p),
 }
 
 
@@ -104,12 +114,13 @@ class _Borrowed:
 
 
 class Handle:
-    """A pcvt_result, freed with the last array or object that refers to it."""
+    """A pcvt_result, or with another function that frees it an object of another type, freed with the last array or
+    object that refers to it."""
 
-    def __init__(self, pointer):
+    def __init__(self, pointer, free=None):
         self.pointer = pointer
         self.converged = False
-        weakref.finalize(self, library.pcvt_free, pointer).atexit = False
+        weakref.finalize(self, free or library.pcvt_free, pointer).atexit = False
 
     def view(self, get, kind, *choices):
         view = kind()

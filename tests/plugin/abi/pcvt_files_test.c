@@ -9,7 +9,7 @@ static int count_calls(const pcvt_progress* progress, void* phase) {
     ++n_calls;
     CHECK(progress->phase == *(int*)phase || progress->phase == PCVT_PHASE_WRITE);
     CHECK(progress->fraction <= 1 && strlen(progress->phase_text) > 0);
-    n_texts_of_runs += strstr(progress->phase_text, " of 3 runs") != NULL;
+    n_texts_of_runs += strcmp(progress->phase_text, "3 of 3 runs") == 0;
     last_fraction = progress->fraction;
     return 0;
 }

@@ -54,7 +54,8 @@ class Lines(CliTest):
                 self.assertRegex(repr({**objects, "solid": solid}[name]), f"^{line}$")
 
     def test_a_damaged_object_has_a_line_too(self):
-        for kind in (pcvt.Result, pcvt.SpaceResult, pcvt.Tile, pcvt.TorusMesh, pcvt.SpaceTile):
+        for kind in (pcvt.Result, pcvt.SpaceResult, pcvt.Tile, pcvt.TorusMesh, pcvt.SpaceTile, pcvt.CheckResult,
+                     pcvt.StudyResult):
             self.assertEqual(repr(kind.__new__(kind)), f"<pcvt.{kind.__name__}>")
         for kind in (pcvt.Statistics, pcvt.Progress):
             self.assertEqual(repr(kind(*[None] * len(kind._fields))), f"<pcvt.{kind.__name__}>")

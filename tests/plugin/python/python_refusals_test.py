@@ -89,7 +89,9 @@ class Layout(unittest.TestCase):
     STRUCTS = {"pcvt_progress": _structs.Progress, "pcvt_options": _structs.Options,
                "pcvt_sites": _structs.Sites, "pcvt_inclusions": _structs.Inclusions, "pcvt_mesh": _structs.Mesh,
                "pcvt_tile": _structs.Tile, "pcvt_cells": _structs.Cells, "pcvt_statistics": _structs.Statistics,
-               "pcvt_write_options": _structs.WriteOptions}
+               "pcvt_write_options": _structs.WriteOptions, "pcvt_check_options": _structs.CheckOptions,
+               "pcvt_study_options": _structs.StudyOptions, "pcvt_study_contents": _structs.StudyContents,
+               "pcvt_table": _structs.Table, "pcvt_picture": _structs.Picture}
 
     def test_structs_have_the_recorded_layout(self):
         found = [f"number PCVT_ABI_VERSION {_library.ABI_VERSION}"]

@@ -30,6 +30,11 @@ reveal_type(pcvt.mesh(100, ((1, 0, 0), (0.37, 0.81, 0), (0.2, 0.4, 0.9))).tile()
 reveal_type(pcvt.space(100, np.eye(3)).tile().volumes)
 reveal_type(pcvt.pattern(54, period=(1, 1, 1)))
 reveal_type(pcvt.pattern(56))
+verdict = pcvt.check([pathlib.Path("tile.glb"), "tile.obj"], cvt=1e-5, period=(1, 1))
+reveal_type(verdict.refuted)
+study = pcvt.study("fig11", sites=[8, 9], runs=100, path="results/", progress=print)
+reveal_type(study.pictures)
+print(bool(verdict), study.table["percent"], study.runs["energy"].min())
 pcvt.mesh(9, density=lambda x, y: 2 + np.sin(x * y), progress=lambda progress: progress.residual < 1e-3)
 pcvt.mesh(np.zeros((3, 2)), areas=[1, 2, 3], phases=["a", "b", "a"], walls="x")
 try:
@@ -39,13 +44,16 @@ except pcvt.ArgumentError as error:
 """
 REVEALED = ["pcvt.Result", "numpy.ndarray[Any, numpy.dtype[numpy.floating[numpy._typing._64Bit]]]", "pcvt.SpaceResult",
             "pcvt.SpaceTile", "numpy.ndarray[Any, numpy.dtype[numpy.floating[numpy._typing._64Bit]]]",
-            "pcvt.SpaceResult", "pcvt.Result"]
+            "pcvt.SpaceResult", "pcvt.Result", "builtins.tuple[builtins.str, ...]",
+            "builtins.dict[builtins.str, builtins.str]"]
 
 WRONG = """import pcvt
 pcvt.mesh(300, seed="seven")
 pcvt.mesh(300).tile().volumes
 pcvt.mesh(300).write()
 pcvt.space(100, walls="x")
+pcvt.check("tile.obj", cvt="1e-5")
+pcvt.study("fig11", sites="8,9")
 """
 
 
@@ -78,11 +86,13 @@ class Stub(CliTest):
         self.write("program.py", WRONG)
         found = self.mypy("mypy", "--strict", "program.py")
         lines = set(map(int, re.findall(r"^program.py:(\d+): error", found, re.MULTILINE)))
-        self.assertEqual(lines, {2, 3, 4, 5}, found)
+        self.assertEqual(lines, {2, 3, 4, 5, 6, 7}, found)
 
     def test_the_attributes_of_the_stub_exist(self):
         result, solid = pcvt.mesh(9), pcvt.space(5)
-        objects = [result, result.mesh(), result.tile(), result.statistics, solid, solid.tile()]
+        result.write(self.path("tile.obj"))
+        objects = [result, result.mesh(), result.tile(), result.statistics, solid, solid.tile(),
+                   pcvt.check(self.path("tile.obj")), pcvt.study("fig11", 4, runs=1)]
         tree = ast.parse(STUB.read_text(encoding="utf-8"))
         classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
         for thing in objects:
