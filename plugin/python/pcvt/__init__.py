@@ -26,9 +26,10 @@ libpcvt.so.0.3 in its own folder, in the folder above, in the `lib` that it is i
 where the system's loader finds libraries.
 
 Arrays are read-only views of the library's memory, without a copy. Each array keeps that memory
-alive. Use array.copy() to change one. Numbers are float64 and int32, positions in length units;
-sites, vertices and faces are numbered from 0, sites in the order of the input. An offset i, j means
-the translation i a + j b, with a, b the rows of `lattice`; an offset i, j, k means i a + j b + k c.
+alive. Use array.copy() to change one. Arguments that are float64 arrays in C order are read in
+place. Numbers are float64 and int32, positions in length units; sites, vertices and faces are
+numbered from 0, sites in the order of the input. An offset i, j means the translation i a + j b,
+with a, b the rows of `lattice`; an offset i, j, k means i a + j b + k c.
 """
 
 try:

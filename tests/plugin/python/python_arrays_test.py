@@ -1,13 +1,15 @@
 """The arrays of the Python package, and the seam that they describe."""
 
+import ctypes
 import gc
 import unittest
+from unittest import mock
 
 from support.cli import main
 from support.python_package import OBLIQUE, pcvt
 
 import numpy as np
-from pcvt import _library
+from pcvt import _library, _structs
 
 
 def edges_of(tile):
@@ -104,6 +106,131 @@ class Arrays(unittest.TestCase):
         self.assertEqual((figures.valences.sum(), figures.valences[6]), (100, figures.n_hexagons))
         single = pcvt.mesh(100, threads=1).statistics
         self.assertEqual((single.stop, single.n_threads), ("converged", 1))
+
+
+# Names of arrays that differ from those of their fields in pcvt.h.
+NAMES = {(_structs.Sites, "points"): "sites", (_structs.Tile, "edge_pairs"): "seam"}
+
+
+def shown_views():
+    """Yields an object of the package with a view of pcvt.h that it shows."""
+    library = _library.library
+    plane = pcvt.mesh(30, OBLIQUE, areas=np.arange(1, 31), phases="soft:0.5,hard:0.5", orientations="random")
+    walled = pcvt.mesh(30, walls="x", inclusions=[("polygon", "a", [[0.2, 0.2], [0.5, 0.2], [0.4, 0.6]])], holes="a")
+    dropped = pcvt.mesh(np.array([[0, 0], [0.3, 0.4], [1, 1]]), duplicates="drop")
+    solid = pcvt.mesh(20, period=(1, 1, 1))
+    symmetric = pcvt.mesh(16, symmetry="p4")
+    for result in (plane, walled, dropped, symmetric):
+        handle = result._handle
+        yield result, handle.view(library.pcvt_get_sites, _structs.Sites)
+        yield result.statistics, handle.view(library.pcvt_get_statistics, _structs.Statistics)
+        for kind in (0, 1):
+            name = ("voronoi", "delaunay")[kind]
+            if result is not walled:
+                yield result.mesh(name), handle.view(library.pcvt_get_mesh, _structs.Mesh, kind)
+                yield result.tile(name), handle.view(library.pcvt_get_tile, _structs.Tile, kind, 0)
+    yield walled.tile(), walled._handle.view(library.pcvt_get_tile, _structs.Tile, 0, 0)
+    cells = solid._handle.view(library.pcvt_get_cells, _structs.Cells)
+    yield solid, cells
+    yield solid.tile(), cells
+    yield solid.statistics, solid._handle.view(library.pcvt_get_statistics, _structs.Statistics)
+
+
+def arrays_of(thing, view):
+    """The fields of a view that hold addresses, with the arrays of the object that show them."""
+    for field, kind in view._fields_:
+        shown = getattr(thing, NAMES.get((type(view), field), field), None)
+        if kind is ctypes.c_void_p and getattr(view, field) is not None and isinstance(shown, np.ndarray):
+            yield field, getattr(view, field), shown
+
+
+class Memory(unittest.TestCase):
+    def test_arrays_lie_at_the_addresses_of_the_library(self):
+        seen = set()
+        for thing, view in shown_views():
+            for field, address, array in arrays_of(thing, view):
+                if array.size > 0:
+                    with self.subTest(thing=type(thing).__name__, field=field):
+                        self.assertEqual(array.ctypes.data, address)
+                        self.assertTrue(array.flags.c_contiguous and not array.flags.writeable)
+                seen.add((type(view).__name__, field))
+        pointers = {(struct.__name__, field) for struct in (
+            _structs.Sites, _structs.Statistics, _structs.Mesh, _structs.Tile, _structs.Cells)
+            for field, kind in struct._fields_ if kind is ctypes.c_void_p}
+        self.assertEqual(pointers - seen, set())
+
+    def test_polygons_of_inclusions_are_views(self):
+        result = pcvt.mesh(60, inclusions=[("circle", "b", 0.8, 0.8, 0.1),
+                                           ("polygon", "a", [[0.2, 0.2], [0.5, 0.2], [0.4, 0.6]])])
+        view = result._handle.view(_library.library.pcvt_get_inclusions, _structs.Inclusions)
+        self.assertEqual(result.inclusions[1][2].ctypes.data, view.numbers + 3 * 8)
+
+    def test_two_tiles_share_their_memory(self):
+        result = pcvt.mesh(30)
+        self.assertTrue(np.shares_memory(result.tile().points, result.tile().points))
+        self.assertFalse(np.shares_memory(result.tile().points, result.tile("delaunay").points))
+
+    def test_each_array_keeps_its_result_alive(self):
+        freed = []
+        free = _library.library.pcvt_free
+        _library.library.pcvt_free = freed.append
+        self.addCleanup(setattr, _library.library, "pcvt_free", free)
+        kept = [shown for thing, view in shown_views() for _, _, shown in arrays_of(thing, view) if shown.size > 0]
+        gc.collect()
+        self.assertEqual(freed, [])
+        pointers = {owner_of(shown).pointer for shown in kept}
+        self.assertEqual(len(pointers), 5)
+        while kept:
+            kept.pop()
+            self.assertEqual({owner_of(shown).pointer for shown in kept} & set(freed), set())
+        gc.collect()
+        self.assertEqual(sorted(freed), sorted(pointers))
+        for pointer in freed:
+            free(pointer)
+
+
+def owner_of(array):
+    """The handle of the result whose memory an array shows."""
+    while isinstance(array, np.ndarray):
+        array = array.base
+    return array.owner
+
+
+class Inputs(unittest.TestCase):
+    def given(self, *arguments, **options):
+        """The options that the library gets."""
+        seen = {}
+        generate = _library.library.pcvt_generate
+
+        def note(pointer, result):
+            seen.update((name, getattr(pointer._obj, name)) for name, kind in _structs.Options._fields_
+                        if kind is ctypes.c_void_p)
+            return generate(pointer, result)
+
+        with mock.patch.object(_library.library, "pcvt_generate", note):
+            pcvt.mesh(*arguments, **options)
+        return seen
+
+    def test_arrays_of_doubles_are_not_copied(self):
+        sites = np.random.default_rng(1).random((20, 2))
+        sizes, weights, angles = np.arange(1.0, 21), np.zeros(20), np.zeros((20, 3))
+        sites.flags.writeable = False
+        found = self.given(sites, areas=sizes, orientations=angles)
+        self.assertEqual([found[name] for name in ("sites", "areas", "orientations")],
+                         [array.ctypes.data for array in (sites, sizes, angles)])
+        found = self.given(sites, weights=weights, max_iterations=0)
+        self.assertEqual(found["weights"], weights.ctypes.data)
+        self.assertEqual(self.given(20, fixed=sites[:5])["fixed_sites"], sites.ctypes.data)
+        points = np.random.default_rng(1).random((20, 3))
+        self.assertEqual(self.given(points, period=(1, 1, 1))["sites"], points.ctypes.data)
+
+    def test_other_arrays_give_the_same_result(self):
+        sites = np.random.default_rng(1).random((20, 2))
+        expected = pcvt.mesh(sites).sites
+        for name, given in (("list", sites.tolist()), ("order", np.asfortranarray(sites)),
+                            ("strides", np.repeat(sites, 2, axis=0)[::2]), ("bytes", sites.astype(">f8"))):
+            with self.subTest(name):
+                np.testing.assert_array_equal(pcvt.mesh(given).sites, expected)
 
 
 class Seam(unittest.TestCase):
