@@ -83,7 +83,11 @@ plane::AreaComparison compare_face_areas(const plane::Tile& tile, const plane::T
 std::string prove_areas(
     const AreaFile& wanted, int n, double domain_area,
     const std::function<plane::AreaComparison(const Eigen::VectorXd&)>& compare) {
-    require_areas(wanted, n);
+    try {
+        require_areas(wanted, n);
+    } catch (const BadFile& error) {
+        throw UnusableFile(error.what());  // The table does not fit; the tile may be right.
+    }
     const Eigen::VectorXd areas = scaled_areas(wanted.areas, n, domain_area);
     const plane::AreaComparison found = compare(areas);
     const std::string text =

@@ -16,7 +16,7 @@ namespace pcvt::checks {
 ///
 /// @returns the end of a line of proof.
 /// @throws NotATile      naming the cell with another area.
-/// @throws UnusableFile  the file states no weights.
+/// @throws UnusableFile  the file states no weights, or the table is not for its sites.
 std::string prove_tile_areas(const std::string& path, const TileFile& file,
                              const plane::TileProof& proof, const AreaFile& wanted);
 

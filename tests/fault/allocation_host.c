@@ -158,6 +158,44 @@ static pcvt_status run_in_space(pcvt_options options, hash_number* hash) {
     return status;
 }
 
+/* Proves files of the runs before. */
+static pcvt_status prove_files(hash_number* hash) {
+    static const char* const paths[] = {"a.obj", "a.glb", "a.vti", "b.vtu"};
+    pcvt_check_options options;
+    size_t k;
+    memset(&options, 0, sizeof options);
+    options.struct_size = sizeof options;
+    options.progress = keep_running;
+    for (k = 0; k < sizeof paths / sizeof paths[0]; ++k) {
+        pcvt_proof* proof;
+        const pcvt_status status = pcvt_check(paths[k], &options, &proof);
+        if (status < 0) return status;
+        *hash = mix(*hash, pcvt_proof_text(proof), strlen(pcvt_proof_text(proof)));
+        pcvt_free_proof(proof);
+    }
+    return PCVT_OK;
+}
+
+/* Makes a study with its files. */
+static pcvt_status make_study(hash_number* hash) {
+    const int32_t n = 4;
+    pcvt_study_options options;
+    pcvt_study_result* study;
+    pcvt_study_contents contents;
+    pcvt_status status =
+        pcvt_study_options_init(&options, sizeof options, PCVT_ABI_VERSION, "fig11");
+    if (status < 0) return status;
+    options.sites = &n;
+    options.n_sites = options.runs = options.n_threads = options.replace = 1;
+    options.path = "study/";
+    options.progress = keep_running;
+    status = pcvt_study(&options, &study);
+    if (status >= 0) status = pcvt_get_study_contents(study, &contents, sizeof contents);
+    if (status >= 0) *hash = mix(*hash, contents.text, strlen(contents.text));
+    pcvt_free_study(study);
+    return status;
+}
+
 static pcvt_status whole_run(hash_number* hash) {
     pcvt_options options;
     pcvt_result* result;
@@ -170,7 +208,9 @@ static pcvt_status whole_run(hash_number* hash) {
     *hash = 14695981039346656037ULL;
     if (status >= 0) status = use_result(result, hash);
     pcvt_free(result);
-    return status >= 0 ? run_in_space(options, hash) : status;
+    if (status >= 0) status = run_in_space(options, hash);
+    if (status >= 0) status = prove_files(hash);
+    return status >= 0 ? make_study(hash) : status;
 }
 
 /* One run with failures and one without, which must have the hashes of the reference. */

@@ -64,6 +64,8 @@ class Checks(CliTest):
             self.assertTrue(result, result)
             self.assertEqual(str(result) + "\n", self.succeed("check", self.path(name), *options))
             self.assertFalse(pcvt.check(self.path(name), lattice=((1, 0), (0, 2)), **arguments))
+        with self.assertRaisesRegex(pcvt.ArgumentError, "sixty.txt"):
+            pcvt.check(self.path("power.obj"), areas=self.write_areas())
         self.assertFalse(pcvt.check(self.path("graded.obj"), cvt=1e-4))
 
     def test_a_tolerance_accepts_a_rounded_tile(self):
