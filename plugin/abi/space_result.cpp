@@ -42,7 +42,7 @@ CellArrays cell_arrays(const space::PolyhedralMesh& mesh, space::Points sites) {
 }
 
 /// The result has the optimised sites; those that the run began with are not read again.
-Job of_result(Job job, const space::CvtResult& cells) {
+Job of_result(Job job, const space::Tessellation& cells) {
     job.n_sites = cells.delaunay.sites.n_sites();
     job.in_space().points = space::Points(3, 0);
     return job;

@@ -207,6 +207,8 @@ void check_job(const Job& job) {
     if (job.is_in_space()) {
         check_stability(job);
         check_short_edges(job);
+        require_phase_names(job.materials);
+        require_one_a_site(job.materials, job.n_wanted());
         return;
     }
     // What follows from the options themselves.

@@ -172,7 +172,7 @@ Computation<PlaneWorld> PlaneWorld::compute(const Job& job, JobMonitor& monitor,
         }
     }
     std::vector<double> densities = site_densities(job, cells);
-    plane::MaterialsOfSites of_sites = materials_of_sites(cells, job.materials, job.seed);
+    MaterialsOfCells of_sites = materials_of_sites(cells, job.materials, job.seed);
     Computation<PlaneWorld> computation{.cells = std::move(cells),
                                         .start = std::move(start.figures),
                                         .site_densities = std::move(densities),
