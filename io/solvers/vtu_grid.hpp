@@ -51,8 +51,8 @@ struct VtuData {
 ///              the numbers of periods along both, and `SitePositions`; `ShortEdges`, the length
 ///              below which edges of cells were removed, in units of h; for elongated cells
 ///              `Metric`, ratio and degrees, for power cells `SiteWeights`
-///              (io/forms/site_notes.hpp); with phases `PhaseNames` and in the plane `SitePhases`,
-///              that of each site; with holes `HoleNames` and `HoleEdges` (hole, v0, v1).
+///              (io/forms/site_notes.hpp); with phases `PhaseNames` and `SitePhases`, that of each
+///              site; with holes `HoleNames` and `HoleEdges` (hole, v0, v1).
 ///
 /// Example usage:
 ///     for (const EncodedFile& file : encode_vtu(vtu_grid(tile), "tile.vtu")) {

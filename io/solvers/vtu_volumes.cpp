@@ -196,7 +196,7 @@ class VtuPolyhedra {
 
     void read_materials(CellMaterials& materials) const {
         if (arrays_.find("FieldData/PhaseNames") != nullptr) {
-            read_vtu_phases(arrays_, "CellData/Phase", n_, materials);
+            read_vtu_phases(arrays_, "FieldData/SitePhases", n_, materials);
         }
         if (arrays_.find("CellData/Orientation") == nullptr) return;
         const VtuArray& angles = arrays_.get("CellData/Orientation", n_, 3, false);

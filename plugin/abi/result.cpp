@@ -93,7 +93,7 @@ std::int32_t outline_number(plane::Outline outline) {
 
 Result::Result(Job job, Computation<PlaneWorld> computed)
     : ComputedJob(std::move(job), std::move(computed)),
-      sites_(wrapped_sites(this->computed().cells, this->job().tile.origin)),
+      sites_(wrapped_sites(this->computed().cells, this->job().in_plane().origin)),
       inclusions_(inclusion_arrays(this->computed().cells)) {
     for (const std::string& name : this->computed().materials.phase_names) {
         phase_names_.push_back(name.c_str());

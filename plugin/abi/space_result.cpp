@@ -70,8 +70,10 @@ const ProvedSpaceTile& SpaceResult::tile() const {
 
 const CellArrays& SpaceResult::arrays() const {
     const space::PolyhedralMesh& mesh = tile().tile.mesh;
-    return arrays_.get(
-        [&] { return cell_arrays(mesh, computed().cells.delaunay.sites.positions()); });
+    return arrays_.get([&] {
+        return cell_arrays(
+            mesh, wrapped_positions(computed().cells.delaunay.sites, job().in_space().origin));
+    });
 }
 
 pcvt_cells SpaceResult::cells() const {

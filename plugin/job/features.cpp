@@ -51,12 +51,15 @@ constexpr std::array kFeatures{
                .option = "--symmetry",
                .fields = "symmetry",
                .is_chosen = [](const Job& job) { return job.symmetry.has_value(); }},
-    FeatureRow{.feature = F::kOrigin, .option = "--origin", .fields = "origin find_origin"},
+    FeatureRow{.feature = F::kOrigin, .option = "--origin", .fields = "origin", .in_space = true},
+    FeatureRow{.feature = F::kFoundOrigin, .fields = "find_origin"},
+    FeatureRow{
+        .feature = F::kSpaceOrigin, .fields = "origin_z", .in_plane = false, .in_space = true},
     FeatureRow{.feature = F::kOriginOffWalls,
                .is_chosen =
                    [](const Job& job) {
                        return job.tile.finds_origin || across_walls(job, [&](int axis) {
-                                  return job.tile.origin[axis] != 0;
+                                  return job.in_plane().origin[axis] != 0;
                               });
                    }},
     FeatureRow{.feature = F::kDensity,

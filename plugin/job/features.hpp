@@ -24,6 +24,8 @@ enum class Feature : std::uint8_t {
     kSpaceLattice,
     kSymmetry,
     kOrigin,
+    kFoundOrigin,
+    kSpaceOrigin,
     kOriginOffWalls,
     kDensity,
     kDensityRange,

@@ -61,10 +61,16 @@ void check_constants(const Job& job, const std::vector<JobFile>& files,
 
 }  // namespace
 
+plane::TileOptions tile_options(const Job& job) {
+    plane::TileOptions options = job.tile;
+    options.origin = job.in_plane().origin;
+    return options;
+}
+
 FormatRequest format_request(const Job& job) {
     return {
         .lattice = job.in_plane().lattice.repeated(job.tile.repeat.columns, job.tile.repeat.rows),
-        .tile = job.tile,
+        .tile = tile_options(job),
         .n_sites = double(job.n_wanted()),
         .walls = job.walls,
         .has_holes = !job.holes.empty(),

@@ -74,14 +74,15 @@ std::string flat_in_words(const space::TetrahedralMesh& mesh, const std::vector<
 
 /// The tetrahedra, if a file holds them.
 std::optional<space::TetrahedralMesh> build_tetrahedra(const space::PeriodicDelaunay& delaunay,
+                                                       const Job& job,
                                                        const std::vector<JobFile>& files,
-                                                       plane::MeshKind kind, JobMonitor& monitor) {
+                                                       JobMonitor& monitor) {
     const auto file = std::find_if(files.begin(), files.end(), [&](const JobFile& f) {
-        return f.format->space->shows_tetrahedra(kind);
+        return f.format->space->shows_tetrahedra(job.meshes.front());
     });
     if (file == files.end()) return {};
     monitor.begin(Phase::kBuilding, "building the tetrahedra");
-    space::TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
+    space::TetrahedralMesh mesh = tetrahedral_mesh(delaunay, job.in_space().origin);
     const std::vector<int> flat = flat_tetrahedra(mesh, delaunay.sites.n_sites());
     if (flat.empty()) return mesh;
     throw InvalidInput("-o " + file->path() + ": " + flat_in_words(mesh, flat) +
@@ -187,7 +188,8 @@ SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobF
     space::CellComplex complex = computation.cells.complex();
     const std::size_t n_vertices = complex.vertices.size();
     complex = without_short_edges(std::move(complex), job.tile.short_edges);
-    ProvedSpaceTile built{.tile = {.mesh = polyhedral_mesh(delaunay.sites, complex)}};
+    ProvedSpaceTile built{
+        .tile = {.mesh = polyhedral_mesh(delaunay.sites, complex, job.in_space().origin)}};
     built.figures.n_removed_edges = static_cast<int>(n_vertices - complex.vertices.size());
     SpaceTile& tile = built.tile;
     tile.sites = sites_in_cells(delaunay.sites, tile.mesh);
@@ -213,7 +215,7 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
     const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
     const plane::MeshKind kind = job.meshes.front();
     std::optional<space::TetrahedralMesh> tetrahedra =
-        build_tetrahedra(delaunay, files, kind, monitor);
+        build_tetrahedra(delaunay, job, files, monitor);
     const ProvedSpaceTile& built = tiles(monitor);
     summary.n_sites = delaunay.sites.n_sites();
     summary.energy_bound =
@@ -221,9 +223,9 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
     summary.valences = built.face_counts;
     summary.polyhedra = built.figures;
     require_closed_boundary(job, files, built.figures.proof);
-    const auto content = std::make_shared<const SpaceContent>(
-        SpaceContent{built.tile, computation, delaunay.sites.positions(), std::move(tetrahedra),
-                     kind, job.file_options.surfaces});
+    const auto content = std::make_shared<const SpaceContent>(SpaceContent{
+        built.tile, computation, wrapped_positions(delaunay.sites, job.in_space().origin),
+        std::move(tetrahedra), kind, job.file_options.surfaces});
     return {.encode = [content](const JobFile& file) { return content->encode(file); },
             .prove =
                 [content](const JobFile& file, const std::vector<EncodedFile>& encoded) {

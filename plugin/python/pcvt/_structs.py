@@ -30,7 +30,8 @@ class Options(ctypes.Structure):
                 ("inclusions", c_char_p), ("fibres", c_char_p), ("fixed_sites", c_void_p),
                 ("n_fixed_sites", c_int32), ("reserved3", c_int32), ("holes", c_char_p), ("dimension", c_int32),
                 ("reserved4", c_int32), ("lattice3", c_double * 9), ("duplicates", c_int32), ("n_weights", c_int32),
-                ("weights", c_void_p), ("site_phases", c_void_p), ("n_site_phases", c_int32), ("reserved5", c_int32)]
+                ("weights", c_void_p), ("site_phases", c_void_p), ("n_site_phases", c_int32),
+                ("reserved5", c_int32), ("origin_z", c_double)]
 
 
 class Sites(ctypes.Structure):

@@ -159,6 +159,7 @@ static void print_options(void) {
     FIELD(pcvt_options, site_phases);
     FIELD(pcvt_options, n_site_phases);
     FIELD(pcvt_options, reserved5);
+    FIELD(pcvt_options, origin_z);
 }
 
 static void print_sites(void) {
