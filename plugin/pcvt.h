@@ -432,7 +432,10 @@ typedef struct pcvt_cells {
     int32_t n_inner_faces;
     int32_t n_points;
     int32_t n_face_points;
-    int32_t reserved;
+    int32_t n_phases;
+    const int32_t* phases;          /**< n_cells indices into phase_names; NULL without phases */
+    const char* const* phase_names; /**< n_phases names; NULL without phases */
+    const double* orientations;     /**< n_cells triples phi1, Phi, phi2 in degrees, or NULL */
 } pcvt_cells;
 
 /** Statistics of a run. */

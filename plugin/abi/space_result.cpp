@@ -93,6 +93,7 @@ pcvt_cells SpaceResult::cells() const {
     view.partner_offset = &more.partner_offset.front().i;
     view.volumes = more.volumes.data();
     view.site_points = made.sites.data();
+    show_materials(view);
     view.sites = more.sites.data();
     view.n_cells = mesh.n_cells;
     view.n_faces = mesh.n_faces();

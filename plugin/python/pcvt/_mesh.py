@@ -3,7 +3,7 @@
 import numpy as np
 
 from ._arguments import (period_vectors, refuse_plane_only, set_areas, set_fixed, set_inclusions,
-                         set_materials, set_site_phases, set_weights)
+                         set_materials, set_origin, set_site_phases, set_weights)
 from ._calls import (choice, default_options, generated, require_numbers, set_doubles, set_fields, set_integers,
                      set_sites, shaped)
 from ._result import Result
@@ -119,11 +119,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                  duplicates=choice("duplicates", duplicates, dimension=dimension),
                  start=choice("start", start, dimension=dimension),
                  solver=choice("solver", solver, dimension=dimension))
-    options.find_origin = isinstance(origin, str) and origin == "auto"
-    corner = tuple((0,) * dimension if options.find_origin or origin is None else origin)
-    if dimension == 3 and len(corner) == 3:
-        options.origin_z, corner = corner[2], corner[:2]
-    set_doubles(options, origin=corner, density_range=density_range,
+    set_origin(options, origin, dimension)
+    set_doubles(options, density_range=density_range,
                 **{"lattice" if dimension == 2 else "lattice3": vectors.ravel()})
     set_fields("mesh", options, fields)
     options.tolerance, options.grain_size = tolerance, grain_size

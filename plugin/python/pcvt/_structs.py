@@ -67,7 +67,8 @@ class Cells(ctypes.Structure):
                 ("owner", c_void_p), ("neighbour", c_void_p), ("partner", c_void_p), ("partner_offset", c_void_p),
                 ("volumes", c_void_p), ("site_points", c_void_p), ("sites", c_void_p), ("n_cells", c_int32),
                 ("n_faces", c_int32), ("n_inner_faces", c_int32), ("n_points", c_int32), ("n_face_points", c_int32),
-                ("reserved", c_int32)]
+                ("n_phases", c_int32), ("phases", c_void_p), ("phase_names", POINTER(c_char_p)),
+                ("orientations", c_void_p)]
 
 
 class Statistics(ctypes.Structure):

@@ -257,7 +257,10 @@ static void print_cells(void) {
     FIELD(pcvt_cells, n_inner_faces);
     FIELD(pcvt_cells, n_points);
     FIELD(pcvt_cells, n_face_points);
-    FIELD(pcvt_cells, reserved);
+    FIELD(pcvt_cells, n_phases);
+    FIELD(pcvt_cells, phases);
+    FIELD(pcvt_cells, phase_names);
+    FIELD(pcvt_cells, orientations);
 }
 
 static void print_statistics(void) {
