@@ -204,7 +204,8 @@ typedef struct pcvt_options {
     double lattice[4];   /**< ax, ay, bx, by: any two independent period vectors [1, 0, 0, 1] */
     double origin[2];    /**< corner of the domain of the tiles, which is the parallelogram of the
                             period vectors; if these are not reduced, PCVT_WHOLE takes the reduced
-                            parallelogram with the same centre [0, 0] */
+                            parallelogram with the same centre; in three dimensions x and y of
+                            the corner of the parallelepiped [0, 0] */
     const double* sites; /**< n_sites pairs x, y, anywhere in the plane, or triples x, y, z,
                             anywhere in space; NULL: drawn from seed [NULL] */
     int32_t n_sites;     /**< at least 1, at most 2^28, in three dimensions 2^26 [0: an error] */
@@ -295,6 +296,8 @@ typedef struct pcvt_options {
                                    names that `phases` then lists as "NAME,NAME,..." [NULL] */
     int32_t n_site_phases;      /**< n_sites, or 0 where `site_phases` is NULL [0] */
     int32_t reserved5;
+
+    double origin_z; /**< in three dimensions: the third coordinate of `origin` [0] */
 } pcvt_options;
 
 /** The optimised sites. */
@@ -434,7 +437,10 @@ typedef struct pcvt_cells {
     int32_t n_inner_faces;
     int32_t n_points;
     int32_t n_face_points;
-    int32_t reserved;
+    int32_t n_phases;
+    const int32_t* phases;          /**< n_cells indices into phase_names; NULL without phases */
+    const char* const* phase_names; /**< n_phases names; NULL without phases */
+    const double* orientations;     /**< n_cells triples phi1, Phi, phi2 in degrees, or NULL */
 } pcvt_cells;
 
 /** Statistics of a run. */

@@ -80,7 +80,7 @@ void prove_fields(const Format& format, const std::vector<EncodedFile>& files, c
 CellMaterials held_materials(const Format& format, const FileOptions& options) {
     if (!format.states_materials || options.materials == nullptr) return {};
     CellMaterials materials = *options.materials;
-    if (!format.takes_orientations) materials.site_orientation.clear();
+    if (!format.takes.orientations) materials.site_orientation.clear();
     return materials;
 }
 
@@ -133,7 +133,7 @@ void prove_tile_files(const Format& format, const std::vector<EncodedFile>& file
         if (!has_orbits(format, file, options)) {
             throw BadFile(path + ": the orbits of the sites are others");
         }
-        if (format.takes_thickness && options.thickness > 0 &&
+        if (format.takes.thickness && options.thickness > 0 &&
             file.thickness != options.thickness) {
             throw BadFile(path + ": the thickness is another");
         }

@@ -128,22 +128,8 @@ struct Format {
     /// Refuses a path that the programs for this format cannot open; nullptr if they open any.
     /// Throws InvalidInput.
     void (*check_path)(const std::string& path) = nullptr;
-    /// The choices of FileOptions that the format takes.
-    bool takes_gltf_nodes = false;
-    bool takes_single_precision = false;
-    bool takes_pixels = false;
-    bool takes_voxels = false;
-    bool takes_coriolis = false;
-    bool takes_cut_width = false;
-    bool takes_element = false;
-    bool takes_job = false;
-    /// Beside a job, if the format takes one.
-    bool takes_constants = false;
-    bool takes_thickness = false;
-    bool takes_colouring = false;
-    bool takes_background = false;
-    bool takes_phases = false;
-    bool takes_orientations = false;
+    /// The choices that the format takes for a tile in the plane.
+    FormatChoices takes = {};
     /// The file of a tile states the phases, and the orientations that the format takes, of its
     /// cells; the reader reads them.
     bool states_materials = false;
@@ -153,20 +139,25 @@ struct Format {
     /// The part of a tile in space that the format holds; `nullopt`: nothing.
     std::optional<SpaceFormat> space = {};
 
+    /// The choices that the format takes in a dimension.
+    FormatChoices choices(bool in_space) const {
+        if (!in_space) return takes;
+        return space ? space->takes : FormatChoices();
+    }
     /// Whether its files hold the job of a solver.
     bool holds_job(const FileOptions& options) const {
-        return takes_job && options.job != SolverJob::kNone;
+        return takes.job && options.job != SolverJob::kNone;
     }
     /// Whether its files state the elastic constants that the options choose.
     bool states_constants(const FileOptions& options) const {
-        return takes_constants && (!takes_job || holds_job(options));
+        return takes.constants && (!takes.job || holds_job(options));
     }
     /// Whether its files of space hold the surfaces that an option chooses.
     bool has_surfaces() const {
         return space.has_value() && space->surfaces == FormatSurfaces::kChosen;
     }
     bool holds_single_precision(const FileOptions& options) const {
-        return is_single_precision || (takes_single_precision && options.single_precision);
+        return is_single_precision || (takes.single_precision && options.single_precision);
     }
     bool needs_torus() const { return std::holds_alternative<TorusWriter*>(write); }
     bool needs_tile() const {

@@ -96,8 +96,11 @@ bool holds_same_boundary(const std::vector<EncodedFile>& files, const SpaceTile&
 
 bool holds_same_cells(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
     const SpaceTile found = prove_space_files(files).tile;
-    return found.mesh.points == tile.mesh.points && found.sites == tile.sites &&
-           found.mesh.point_orbit == tile.mesh.point_orbit &&
+    const Format* const format = find_format(files.front().path);
+    const bool states_materials = format != nullptr && format->space->states_materials;
+    const CellMaterials stated = states_materials ? tile.materials : CellMaterials();
+    return found.materials == stated && found.mesh.points == tile.mesh.points &&
+           found.sites == tile.sites && found.mesh.point_orbit == tile.mesh.point_orbit &&
            found.mesh.point_offset == tile.mesh.point_offset;
 }
 

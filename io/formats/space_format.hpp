@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/bytes/encoded_file.hpp"
+#include "io/formats/format_choices.hpp"
 #include "io/forms/space_tile.hpp"
 #include "io/forms/surface_list.hpp"
 #include "mesher/plane/mesh/mesh_kind.hpp"
@@ -31,6 +32,8 @@ struct SpaceFormat {
     /// sites, whose cells have the most faces: the largest of several runs, because the peak of
     /// equal runs with two threads differs by a sixth.
     double memory;
+    /// The choices that the format takes for a tile in space.
+    FormatChoices takes = {};
     /// The files of the output with this path, which encode() returns in this order.
     std::vector<std::string> (*paths)(const std::string& path) = single_path;
     /// Encodes a tile of polyhedra, and of tetrahedra; both null: the file holds only the sites.
@@ -46,6 +49,8 @@ struct SpaceFormat {
     space::TetrahedralMesh (*decode_tetrahedra)(const EncodedFile& file) = nullptr;
     void (*compare_tetrahedra)(const EncodedFile& file,
                                const space::TetrahedralMesh& mesh) = nullptr;
+    /// Whether its cells state SpaceTile::materials.
+    bool states_materials = false;
     /// Whether its cells state PolyhedralMesh::short_edges, without which no tile is proved that
     /// lost edges.
     bool states_short_edges = false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesher/cells/cell_materials.hpp"
 #include "mesher/space/mesh/polyhedral_mesh.hpp"
 
 namespace pcvt {
@@ -10,6 +11,8 @@ struct SpaceTile {
     /// The image of each site that lies in its cell: 3 x n, length units; no column if a file
     /// states none.
     space::Points sites = space::Points(3, 0);
+    /// Of the cells, where the run has some and a format states them.
+    CellMaterials materials = {};
 };
 
 /// The complaint about a file in which PolyhedralMesh::short_edges is out of its range.

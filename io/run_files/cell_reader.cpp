@@ -8,6 +8,7 @@
 namespace pcvt {
 namespace {
 
+/// In either dimension.
 constexpr std::size_t kColumns = 15;
 
 using Fields = std::array<std::string_view, kColumns>;
@@ -15,8 +16,10 @@ using Fields = std::array<std::string_view, kColumns>;
 /// Walks over the rows below the header.
 class RowScanner {
    public:
-    RowScanner(const std::string& name, std::string_view text) : name_(name), rest_(text) {
-        if (!next_line() || line_text_ != kCellHeader) {
+    /// @param header  the first line that is not a comment.
+    RowScanner(const std::string& name, std::string_view text, const char* header)
+        : name_(name), rest_(text) {
+        if (!next_line() || line_text_ != header) {
             refuse("the header is not that of a table of cells; write the file again with pcvt");
         }
     }
@@ -94,44 +97,15 @@ class RowComparison {
 };
 
 bool is_row_of(const RowScanner& scanner, const CellRows& rows, SiteId s) {
-    const CellTable& cells = rows.cells;
-    const CellMaterials& materials = rows.materials;
     RowComparison row(scanner);
-    row.number(s);
-    row.number(rows.sites(0, s));
-    row.number(rows.sites(1, s));
-    if (rows.weights.size() > 0) {
-        row.number(rows.weights[s]);
-    } else {
-        row.text("");
-    }
-    row.number(cells.measure[s]);
-    row.number(cells.equivalent_diameter(s));
-    row.number(cells.sides[s]);
-    row.number(cells.circularity(s));
-    const std::string phase = materials.phase_of(s);
-    row.text(phase);
-    row.text(rows.phases_are_tags ? phase : "");
-    if (materials.site_orientation.empty()) {
-        for (int k = 0; k < 3; ++k) row.text("");
-    } else {
-        const BungeAngles& angles = materials.site_orientation[s];
-        for (const double angle : {angles.phi1, angles.Phi, angles.phi2}) row.number(angle);
-    }
-    if (rows.orbits.empty()) {
-        row.text("");
-    } else {
-        row.number(rows.orbits[s]);
-    }
-    row.list(cells.neighbours.data() + cells.neighbour_begin[s],
-             cells.neighbours.data() + cells.neighbour_begin[s + 1]);
+    for_each_field(rows, s, row);
     return row.is_same();
 }
 
 }  // namespace
 
 bool reads_back(const std::string& name, std::string_view text, const CellRows& rows) {
-    RowScanner scanner(name, text);
+    RowScanner scanner(name, text, cell_header(rows.cells.dimension));
     for (SiteId s = 0; s < rows.cells.n_cells(); ++s) {
         checkpoint_each(s);
         if (!scanner.next() || !is_row_of(scanner, rows, s)) return false;

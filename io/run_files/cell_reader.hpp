@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/run_files/cell_writer.hpp"
+#include "io/run_files/cell_rows.hpp"
 
 namespace pcvt {
 

@@ -13,42 +13,53 @@ constexpr const char* kHead =
     "# sides, neighbours: edges longer than 1e-5 sqrt(mean area), counter-clockwise\n"
     "# weight: length squared; phi1, Phi, phi2: Bunge's angles in degrees\n";
 
+constexpr const char* kSpaceHead =
+    "# The cells of one period, written by pcvt; lengths in the unit of the period vectors\n"
+    "# diameter = (6 volume / pi)^(1/3); sphericity = pi^(1/3) (6 volume)^(2/3) / surface\n"
+    "# neighbours: the sites across the faces, in rising order\n"
+    "# weight: length squared; phi1, Phi, phi2: Bunge's angles in degrees\n";
+
+/// Appends the fields of a row, each behind a comma but the first.
+class FieldWriter {
+   public:
+    explicit FieldWriter(std::string& text) : text_(text) {}
+
+    void number(auto value) {
+        separate();
+        append_number(text_, value);
+    }
+    void text(const std::string& word) {
+        separate();
+        text_ += word;
+    }
+    void list(const int* begin, const int* end) {
+        separate();
+        for (const int* entry = begin; entry != end; ++entry) {
+            if (entry != begin) text_ += ' ';
+            append_number(text_, *entry);
+        }
+    }
+
+   private:
+    void separate() {
+        if (!is_first_) text_ += ',';
+        is_first_ = false;
+    }
+
+    std::string& text_;
+    bool is_first_ = true;
+};
+
 }  // namespace
 
 std::string encode_cells(const CellRows& rows) {
-    const CellTable& cells = rows.cells;
-    const CellMaterials& materials = rows.materials;
-    std::string text = std::string(kHead) + kCellHeader + '\n';
-    const auto append = [&text](auto number, const char* separator = ",") {
-        append_number(text, number);
-        text += separator;
-    };
-    for (SiteId s = 0; s < cells.n_cells(); ++s) {
+    const int dimension = rows.cells.dimension;
+    std::string text =
+        std::string(dimension == 3 ? kSpaceHead : kHead) + cell_header(dimension) + '\n';
+    for (SiteId s = 0; s < rows.cells.n_cells(); ++s) {
         checkpoint_each(s);
-        append(s);
-        append(rows.sites(0, s));
-        append(rows.sites(1, s));
-        if (rows.weights.size() > 0) append_number(text, rows.weights[s]);
-        text += ',';
-        append(cells.measure[s]);
-        append(cells.equivalent_diameter(s));
-        append(cells.sides[s]);
-        append(cells.circularity(s));
-        const std::string phase = materials.phase_of(s);
-        text += phase + ',' + (rows.phases_are_tags ? phase : "") + ',';
-        if (materials.site_orientation.empty()) {
-            text += ",,,";
-        } else {
-            const BungeAngles& angles = materials.site_orientation[s];
-            append(angles.phi1);
-            append(angles.Phi);
-            append(angles.phi2);
-        }
-        if (!rows.orbits.empty()) append_number(text, rows.orbits[s]);
-        text += ',';
-        for (int k = cells.neighbour_begin[s]; k < cells.neighbour_begin[s + 1]; ++k) {
-            append(cells.neighbours[k], k + 1 < cells.neighbour_begin[s + 1] ? " " : "");
-        }
+        FieldWriter fields(text);
+        for_each_field(rows, s, fields);
         text += '\n';
     }
     return text;

@@ -6,6 +6,7 @@
 #include "io/bytes/bad_file.hpp"
 #include "io/bytes/text.hpp"
 #include "io/forms/site_notes.hpp"
+#include "mesher/cells/phase_fractions.hpp"
 
 namespace pcvt {
 namespace {
@@ -223,6 +224,46 @@ ElementList read_vtu_cells(const VtuArrays& arrays, std::initializer_list<Elemen
                                "correct the offsets");
     }
     return cells;
+}
+
+std::vector<std::string> read_vtu_strings(const VtuArrays& arrays, const std::string& key) {
+    const VtuArray& array = arrays.get(key, -1, 1, true);
+    std::vector<std::string> strings(1);
+    for (std::size_t k = 0; k < array.size(); ++k) {
+        const int code = array.integer(k);
+        if (code == 0) {
+            strings.emplace_back();
+        } else if (code > ' ' && code <= '~') {
+            strings.back() += static_cast<char>(code);
+        } else {
+            arrays.scanner().throw_bad_file(
+                array.lines[k], "a name holds a character that is none; write the file again");
+        }
+    }
+    if (!strings.back().empty()) {
+        arrays.scanner().throw_bad_file(array.line,
+                                        "a name does not end with 0; write the file again");
+    }
+    strings.pop_back();
+    return strings;
+}
+
+void read_vtu_phases(const VtuArrays& arrays, const std::string& key, int n,
+                     CellMaterials& materials) {
+    materials.phase_names = read_vtu_strings(arrays, "FieldData/PhaseNames");
+    try {
+        require_phase_names(materials.phase_names);
+    } catch (const InvalidInput& fault) {
+        arrays.scanner().throw_bad_file(arrays.find("FieldData/PhaseNames")->line, fault.what());
+    }
+    const VtuArray& phases = arrays.get(key, n, 1, true);
+    const auto n_phases = static_cast<int>(materials.phase_names.size());
+    for (std::size_t k = 0; k < phases.size(); ++k) {
+        materials.site_phase.push_back(phases.integer(k));
+        if (phases.integer(k) >= 0 && phases.integer(k) < n_phases) continue;
+        arrays.scanner().throw_bad_file(phases.lines[k],
+                                        "a site has a phase without a name; write the file again");
+    }
 }
 
 std::optional<FileFields> vtu_fields(const std::string& name, std::string_view text) {

@@ -12,6 +12,7 @@
 #include "io/bytes/xml_scanner.hpp"
 #include "io/forms/element_mesh.hpp"
 #include "io/forms/lattice_numbers.hpp"
+#include "mesher/cells/cell_materials.hpp"
 
 namespace pcvt {
 
@@ -89,6 +90,16 @@ Lattice read_vtu_lattice(const VtuArrays& arrays) {
         arrays.scanner().throw_bad_file(periods.line, fault.what());
     }
 }
+
+/// Returns the strings of an array that holds the codes of their characters, each ended by 0.
+/// @throws BadFile  the array is missing, or holds another character.
+std::vector<std::string> read_vtu_strings(const VtuArrays& arrays, const std::string& key);
+
+/// Reads the names of phases from `PhaseNames`, and the phase of each site from another array.
+/// @param n  the number of sites; -1: any.
+/// @throws BadFile  an array is missing, a name is none of a phase, or a phase has no name.
+void read_vtu_phases(const VtuArrays& arrays, const std::string& key, int n,
+                     CellMaterials& materials);
 
 /// Returns the fields of a VTU: the counts of its piece, and for each array that encode_vtu()
 /// writes its type, the numbers of its components and tuples, and its values. The positions of

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <utility>
 
+#include "io/colours/pole_colours.hpp"
 #include "io/forms/site_notes.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/space/mesh/cell_faces.hpp"
@@ -56,6 +57,30 @@ void add_numbers_of_sites(std::string_view name, std::span<const int> of_site,
     data.push_back({"Int32", name, std::move(numbers)});
 }
 
+/// Adds the names of the phases and that of each site, at the front.
+void add_phases(const CellMaterials& materials, VtuGrid& grid) {
+    grid.field_data.insert(grid.field_data.begin(),
+                           {{"UInt8", "PhaseNames", materials.phase_names},
+                            {"Int32", "SitePhases", materials.site_phase}});
+}
+
+/// Adds the materials of cells that are one element each.
+void add_materials(const CellMaterials& materials, VtuGrid& grid) {
+    if (!materials.site_phase.empty()) {
+        add_phases(materials, grid);
+        grid.cell_data.push_back({"Int32", "Phase", materials.site_phase});
+    }
+    if (materials.site_orientation.empty()) return;
+    std::vector<double> angles;
+    std::vector<int> colours;
+    for (const BungeAngles& of_cell : materials.site_orientation) {
+        angles.insert(angles.end(), {of_cell.phi1, of_cell.Phi, of_cell.phi2});
+        for (const int part : pole_colour(of_cell)) colours.push_back(part);
+    }
+    grid.cell_data.push_back({"Float64", "Orientation", std::move(angles), 3});
+    grid.cell_data.push_back({"UInt8", "IPFz", std::move(colours), 3});
+}
+
 }  // namespace
 
 VtuGrid vtu_grid(const plane::Tile& tile, const CellMaterials* materials,
@@ -65,11 +90,7 @@ VtuGrid vtu_grid(const plane::Tile& tile, const CellMaterials* materials,
     std::iota(ids.begin(), ids.end(), 0);
     grid.point_data.insert(grid.point_data.begin(), {"Int64", "GlobalIds", std::move(ids)});
     const bool has_phases = materials != nullptr && !materials->site_phase.empty();
-    if (has_phases) {
-        grid.field_data.insert(grid.field_data.begin(),
-                               {{"UInt8", "PhaseNames", materials->phase_names},
-                                {"Int32", "SitePhases", materials->site_phase}});
-    }
+    if (has_phases) add_phases(*materials, grid);
     for (StatedNote& stated : stated_notes(tile, true)) {
         grid.field_data.push_back(note_data(std::move(stated)));
     }
@@ -105,6 +126,7 @@ VtuGrid vtu_grid(const SpaceTile& tile) {
         std::vector<double> sites(tile.sites.data(), tile.sites.data() + tile.sites.size());
         grid.cell_data.push_back({"Float64", "Site", std::move(sites), 3});
     }
+    add_materials(tile.materials, grid);
     return grid;
 }
 

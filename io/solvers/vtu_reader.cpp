@@ -31,7 +31,9 @@ class VtuTile {
         if (arrays_.find("PointData/PeriodicPointIds")) take_orbits();
         take_kind_and_sites();
         if (!file_.sites.empty() && arrays_.find("CellData/Orbit")) take_site_orbits();
-        if (!file_.sites.empty() && arrays_.find("FieldData/SitePhases")) take_phases();
+        if (!file_.sites.empty() && arrays_.find("FieldData/SitePhases")) {
+            read_vtu_phases(arrays_, "FieldData/SitePhases", -1, file_.materials);
+        }
         if (kind_ == ElementKind::kTriangle6) remove_midside_nodes(file_, lattice, precision);
         return std::move(file_);
     }
@@ -78,8 +80,7 @@ class VtuTile {
     }
 
     void take_holes() {
-        const std::vector<std::string> names =
-            strings(arrays_.get("FieldData/HoleNames", -1, 1, true));
+        const std::vector<std::string> names = read_vtu_strings(arrays_, "FieldData/HoleNames");
         const VtuArray& edges = arrays_.get("FieldData/HoleEdges", -1, 3, true);
         for (std::size_t k = 0; k < edges.size(); k += 3) {
             const int hole = edges.integer(k);
@@ -153,46 +154,6 @@ class VtuTile {
                                                     "the file again with pcvt");
             }
             of_site[cell] = orbit;
-        }
-    }
-
-    /// Reads the codes of strings that 0 ends.
-    std::vector<std::string> strings(const VtuArray& array) const {
-        std::vector<std::string> strings(1);
-        for (std::size_t k = 0; k < array.size(); ++k) {
-            const int code = array.integer(k);
-            if (code == 0) {
-                strings.emplace_back();
-            } else if (code > ' ' && code <= '~') {
-                strings.back() += static_cast<char>(code);
-            } else {
-                throw_bad_file(array.lines[k],
-                               "a name holds a character that is none; write the file again");
-            }
-        }
-        if (!strings.back().empty()) {
-            throw_bad_file(array.line, "a name does not end with 0; write the file again");
-        }
-        strings.pop_back();
-        return strings;
-    }
-
-    void take_phases() {
-        CellMaterials& materials = file_.materials;
-        const VtuArray& names = arrays_.get("FieldData/PhaseNames", -1, 1, true);
-        materials.phase_names = strings(names);
-        try {
-            require_phase_names(materials.phase_names);
-        } catch (const InvalidInput& fault) {
-            throw_bad_file(names.line, fault.what());
-        }
-        const VtuArray& phases = arrays_.get("FieldData/SitePhases", -1, 1, true);
-        const auto n_phases = static_cast<int>(materials.phase_names.size());
-        for (std::size_t k = 0; k < phases.size(); ++k) {
-            materials.site_phase.push_back(phases.integer(k));
-            if (phases.integer(k) >= 0 && phases.integer(k) < n_phases) continue;
-            throw_bad_file(phases.lines[k],
-                           "a site has a phase without a name; write the file again");
         }
     }
 

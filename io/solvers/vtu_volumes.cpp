@@ -20,8 +20,9 @@ namespace {
 /// Volumes that a file states may differ by this part of the volume: by the order of summation.
 constexpr double kVolumeError = 1e-10;
 
-constexpr std::array<std::string_view, 5> kPolyhedraArrays{
-    "Cells/faces", "Cells/faceoffsets", "CellData/Faces", "CellData/Volume", "CellData/Site"};
+constexpr std::array<std::string_view, 6> kPolyhedraArrays{
+    "Cells/faces",     "Cells/faceoffsets", "CellData/Faces",
+    "CellData/Volume", "CellData/Site",     "CellData/Orientation"};
 
 /// "(1, 0, -1)"
 std::string in_words(const space::Offset& offset) {
@@ -121,6 +122,7 @@ class VtuPolyhedra {
             const VtuArray& sites = arrays_.get("CellData/Site", n_, 3, false);
             tile.sites = Eigen::Map<const space::Points>(sites.values.data(), 3, n_);
         }
+        read_materials(tile.materials);
         return tile;
     }
 
@@ -189,6 +191,22 @@ class VtuPolyhedra {
             if (points == cell_points(cells, s)) continue;
             fail(arrays_.find("Cells/connectivity")->line,
                  "cell " + std::to_string(s) + " has other points than its faces");
+        }
+    }
+
+    void read_materials(CellMaterials& materials) const {
+        if (arrays_.find("FieldData/PhaseNames") != nullptr) {
+            read_vtu_phases(arrays_, "FieldData/SitePhases", n_, materials);
+        }
+        if (arrays_.find("CellData/Orientation") == nullptr) return;
+        const VtuArray& angles = arrays_.get("CellData/Orientation", n_, 3, false);
+        for (std::size_t k = 0; k < angles.size(); k += 3) {
+            const BungeAngles of_cell{angles.values[k], angles.values[k + 1], angles.values[k + 2]};
+            try {
+                materials.site_orientation.push_back(checked_angles(of_cell));
+            } catch (const InvalidInput& fault) {
+                fail(angles.lines[k], fault.what());
+            }
         }
     }
 

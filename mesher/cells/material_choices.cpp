@@ -60,4 +60,11 @@ std::vector<PhaseFigures> phase_figures(const MaterialChoices& choices,
     return figures;
 }
 
+MaterialsOfCells materials_of_cells(const MaterialChoices& choices, const CellTable& cells,
+                                    std::uint64_t seed) {
+    MaterialsOfCells of_cells{.materials = choose_materials(choices, cells, seed)};
+    of_cells.phases = phase_figures(choices, of_cells.materials, cells);
+    return of_cells;
+}
+
 }  // namespace pcvt

@@ -44,6 +44,16 @@ struct PhaseFigures {
 CellMaterials choose_materials(const MaterialChoices& choices, const CellTable& cells,
                                std::uint64_t seed);
 
+/// The materials of the cells of a run, and one entry a phase.
+struct MaterialsOfCells {
+    CellMaterials materials = {};
+    std::vector<PhaseFigures> phases = {};
+};
+
+/// choose_materials() and phase_figures() in one.
+MaterialsOfCells materials_of_cells(const MaterialChoices& choices, const CellTable& cells,
+                                    std::uint64_t seed);
+
 /// Requires that no phase has the name of a set, group or patch which files may contain beside
 /// those of the phases.
 /// @throws InvalidInput naming the first such phase.

@@ -21,7 +21,11 @@ class ComputedJob {
     using World = JobWorld;
 
     ComputedJob(Job job, Computation<World>&& computed)
-        : job_(std::move(job)), computed_(std::move(computed)) {}
+        : job_(std::move(job)), computed_(std::move(computed)) {
+        for (const std::string& name : computed_.materials.phase_names) {
+            phase_names_.push_back(name.c_str());
+        }
+    }
 
     /// PCVT_MINIMUM_...
     std::int32_t minimum() const {
@@ -54,6 +58,20 @@ class ComputedJob {
         view.n_dropped = static_cast<std::int32_t>(job_.dropped.sites.size());
         view.dropped = dropped_pairs(job_.dropped);
         return view;
+    }
+
+    /// Fills in the phases and the orientations of a view.
+    /// @tparam View  pcvt_sites or pcvt_cells.
+    template <class View>
+    void show_materials(View& view) const {
+        const CellMaterials& materials = computed_.materials;
+        if (!materials.site_phase.empty()) view.phases = materials.site_phase.data();
+        if (!phase_names_.empty()) view.phase_names = phase_names_.data();
+        view.n_phases = static_cast<std::int32_t>(phase_names_.size());
+        // Three doubles each, without padding.
+        static_assert(sizeof(BungeAngles) == 3 * sizeof(double));
+        if (materials.site_orientation.empty()) return;
+        view.orientations = &materials.site_orientation.front().phi1;
     }
 
     /// Writes the files of a request.
@@ -92,6 +110,7 @@ class ComputedJob {
 
     Job job_;
     Computation<World> computed_;
+    std::vector<const char*> phase_names_;
     Lazy<std::vector<int>> valences_;
     Lazy<std::int32_t> minimum_;
 };

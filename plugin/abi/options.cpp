@@ -267,12 +267,15 @@ Job make_job(const pcvt_options& options) {
         throw InvalidInput("n_sites is not between 1 and " + std::to_string(most_sites));
     }
     require_finite("origin", options.origin, 2);
+    require_finite("origin_z", &options.origin_z, 1);
     require_positive("tolerance", options.tolerance);
     Job job;
     if (in_space) {
         job.domain = domain_of(options, space_lattice(options.lattice3));
+        job.in_space().origin = {options.origin[0], options.origin[1], options.origin_z};
     } else {
         job.domain = domain_of(options, plane_lattice(options.lattice));
+        job.in_plane().origin = {options.origin[0], options.origin[1]};
     }
     job.n_sites = options.n_sites;
     job.seed = options.seed;
@@ -283,7 +286,6 @@ Job make_job(const pcvt_options& options) {
     job.run.solver = solver(options.solver, in_space);
     job.run.n_threads = thread_count(options.n_threads);
     job.tile.repeat = {options.columns, options.rows};
-    job.tile.origin = {options.origin[0], options.origin[1]};
     if (options.find_origin != 0 && options.find_origin != 1) {
         throw InvalidInput("find_origin is neither 0 nor 1");
     }

@@ -93,11 +93,8 @@ std::int32_t outline_number(plane::Outline outline) {
 
 Result::Result(Job job, Computation<PlaneWorld> computed)
     : ComputedJob(std::move(job), std::move(computed)),
-      sites_(wrapped_sites(this->computed().cells, this->job().tile.origin)),
+      sites_(wrapped_sites(this->computed().cells, this->job().in_plane().origin)),
       inclusions_(inclusion_arrays(this->computed().cells)) {
-    for (const std::string& name : this->computed().materials.phase_names) {
-        phase_names_.push_back(name.c_str());
-    }
     for (const std::string& name : this->job().holes) hole_names_.push_back(name.c_str());
 }
 
@@ -145,17 +142,9 @@ pcvt_sites Result::sites() const {
     view.n_sites = static_cast<std::int32_t>(sites_.cols());
     const Eigen::VectorXd& weights = computed().cells.delaunay.weights();
     view.weights = weights.size() == 0 ? nullptr : weights.data();
-    const CellMaterials& materials = computed().materials;
-    if (!materials.site_phase.empty()) view.phases = numbers(materials.site_phase);
-    if (!phase_names_.empty()) view.phase_names = phase_names_.data();
-    view.n_phases = static_cast<std::int32_t>(phase_names_.size());
+    show_materials(view);
     view.n_orbits = computed().cells.n_orbits();
     view.orbits = numbers(computed().cells.site_orbits);
-    // Three doubles each, without padding.
-    static_assert(sizeof(BungeAngles) == 3 * sizeof(double));
-    if (!materials.site_orientation.empty()) {
-        view.orientations = &materials.site_orientation.front().phi1;
-    }
     return view;
 }
 

@@ -51,7 +51,6 @@ class Result : public ComputedJob<PlaneWorld> {
     const TileArrays& arrays(const Layout& layout, JobMonitor& monitor) const;
 
     plane::Points sites_;
-    std::vector<const char*> phase_names_;
     std::vector<const char*> hole_names_;
     InclusionArrays inclusions_;
     /// By the number of the kind, and of the outline.

@@ -42,7 +42,7 @@ CellArrays cell_arrays(const space::PolyhedralMesh& mesh, space::Points sites) {
 }
 
 /// The result has the optimised sites; those that the run began with are not read again.
-Job of_result(Job job, const space::CvtResult& cells) {
+Job of_result(Job job, const space::Tessellation& cells) {
     job.n_sites = cells.delaunay.sites.n_sites();
     job.in_space().points = space::Points(3, 0);
     return job;
@@ -70,8 +70,10 @@ const ProvedSpaceTile& SpaceResult::tile() const {
 
 const CellArrays& SpaceResult::arrays() const {
     const space::PolyhedralMesh& mesh = tile().tile.mesh;
-    return arrays_.get(
-        [&] { return cell_arrays(mesh, computed().cells.delaunay.sites.positions()); });
+    return arrays_.get([&] {
+        return cell_arrays(
+            mesh, wrapped_positions(computed().cells.delaunay.sites, job().in_space().origin));
+    });
 }
 
 pcvt_cells SpaceResult::cells() const {
@@ -91,6 +93,7 @@ pcvt_cells SpaceResult::cells() const {
     view.partner_offset = &more.partner_offset.front().i;
     view.volumes = more.volumes.data();
     view.site_points = made.sites.data();
+    show_materials(view);
     view.sites = more.sites.data();
     view.n_cells = mesh.n_cells;
     view.n_faces = mesh.n_faces();

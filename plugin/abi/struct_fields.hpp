@@ -56,7 +56,8 @@ inline constexpr std::array kOptionFields{
     struct_field<&pcvt_options::n_weights>("n_weights"),
     struct_field<&pcvt_options::weights>("weights"),
     struct_field<&pcvt_options::site_phases>("site_phases"),
-    struct_field<&pcvt_options::n_site_phases>("n_site_phases")};
+    struct_field<&pcvt_options::n_site_phases>("n_site_phases"),
+    struct_field<&pcvt_options::origin_z>("origin_z")};
 
 inline constexpr std::array kWriteFields{
     struct_field<&pcvt_write_options::report>("report"),

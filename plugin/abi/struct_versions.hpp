@@ -24,6 +24,8 @@ inline constexpr std::size_t kOldestSize<pcvt_options> = offsetof(pcvt_options, 
 template <>
 inline constexpr std::size_t kOldestSize<pcvt_statistics> = offsetof(pcvt_statistics, dropped);
 template <>
+inline constexpr std::size_t kOldestSize<pcvt_cells> = offsetof(pcvt_cells, phases);
+template <>
 inline constexpr std::size_t kOldestSize<pcvt_write_options> = offsetof(pcvt_write_options,
                                                                         materials);
 

@@ -174,7 +174,11 @@ void read_run(const CLI::App& app, const MeshOptions& options, Job& job) {
     }
     if (app.count("--origin") > 0) {
         job.tile.finds_origin = options.origin == "auto";
-        if (!job.tile.finds_origin) job.tile.origin = point("--origin", options.origin);
+        if (job.is_in_space() && !job.tile.finds_origin) {
+            job.in_space().origin = space_point("--origin", options.origin);
+        } else if (!job.tile.finds_origin) {
+            job.in_plane().origin = point("--origin", options.origin);
+        }
         if (job.tile.finds_origin && job.tile.outline != plane::Outline::kBox) {
             throw InvalidInput("--origin auto is for --outline box; add it, or give X,Y");
         }

@@ -94,8 +94,8 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
             ";\n--sites counts those of one period; without a lattice the unit square,\nor "
             "1,0,0.5,0.866 for p3 to p6m");
     add(app, "--origin", options.origin, "X,Y|auto",
-        "corner of the domain; auto: the box outline is cut where the\n"
-        "shortest edge of the cut is longest [0,0]");
+        "corner of the domain, in space X,Y,Z; auto: the box outline is cut\n"
+        "where the shortest edge of the cut is longest, in the plane [0,0]");
     add_cell_options(app, options.cells, options.job);
 }
 

@@ -88,7 +88,8 @@ std::optional<std::vector<std::string_view>> formats_with(const FeatureRow* feat
     if (feature == nullptr || feature->taken == nullptr) return {};
     std::vector<std::string_view> extensions;
     for (const Format& format : formats()) {
-        if (feature->taken(format)) extensions.push_back(format.extension);
+        if (feature->taken(format, false) || feature->taken(format, true))
+            extensions.push_back(format.extension);
     }
     return extensions;
 }

@@ -56,19 +56,17 @@ Eigen::ArrayXXd lattice_coordinates(const typename Lattice::Points& points, cons
     return coordinates;
 }
 
-std::string site_note(const Job& job, const PlaneDomain& given) {
-    const plane::Vec2& origin = job.tile.origin;
-    const plane::Domain domain(given.lattice, origin);
+std::string site_note(const PlaneDomain& given) {
+    const plane::Domain domain(given.lattice, given.origin);
     return domain_note(given.points.array(),
-                       lattice_coordinates(given.points, given.lattice, origin),
+                       lattice_coordinates(given.points, given.lattice, given.origin),
                        lattice_coordinates(given.points, domain.basis(), domain.corner()));
 }
 
-std::string site_note(const Job& /*job*/, const SpaceDomain& given) {
-    const space::Vec3 origin = space::Vec3::Zero();
-    return domain_note(given.points.array(),
-                       lattice_coordinates(given.points, given.lattice, origin),
-                       lattice_coordinates(given.points, reduce(given.lattice).reduced, origin));
+std::string site_note(const SpaceDomain& given) {
+    return domain_note(
+        given.points.array(), lattice_coordinates(given.points, given.lattice, given.origin),
+        lattice_coordinates(given.points, reduce(given.lattice).reduced, given.origin));
 }
 
 /// The line that says which sites of a file were left out because they coincide with earlier ones.
@@ -86,7 +84,7 @@ std::string duplicates_line(const DroppedSites& dropped, Eigen::Index n_kept) {
 /// The lines of the sites and their periods.
 template <class Domain>
 std::string lines_of(const Job& job, int n_sites, const Domain& domain) {
-    std::string text = summary_line("sites", std::to_string(n_sites) + site_note(job, domain));
+    std::string text = summary_line("sites", std::to_string(n_sites) + site_note(domain));
     if (job.duplicates == Duplicates::kDrop) {
         text += duplicates_line(job.dropped, std::max(domain.points.cols(), domain.fixed.cols()));
     }

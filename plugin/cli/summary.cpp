@@ -173,12 +173,14 @@ std::string hole_text(const Job& job, const RunSummary& summary) {
     return names + "; the " + counted(n_outside, "site") + " outside are numbered from 0";
 }
 
-std::string phase_lines(const RunSummary& summary, bool are_given) {
+std::string phase_lines(const Job& job, const RunSummary& summary) {
+    const bool are_given = !job.materials.site_phases.empty();
+    const char* const measure = job.is_in_space() ? "volume" : "area";
     std::string text;
     for (const PhaseFigures& phase : summary.phases) {
         text +=
-            summary_line("phase", phase.name + " " + figure(phase.reached) + " of the area in " +
-                                      std::to_string(phase.n_cells) + " cells" +
+            summary_line("phase", phase.name + " " + figure(phase.reached) + " of the " + measure +
+                                      " in " + std::to_string(phase.n_cells) + " cells" +
                                       (are_given ? "" : "; wanted " + figure(phase.wanted)));
     }
     return text;
@@ -263,7 +265,7 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     if (summary.areas) text += area_lines(job, *summary.areas);
     if (job.weights) text += summary_line("weights", job.weights->name);
     text += constraint_lines(job, summary);
-    text += phase_lines(summary, !job.materials.site_phases.empty());
+    text += phase_lines(job, summary);
     if (summary.angles) text += summary_line("angles", angle_text(*summary.angles));
     text += material_lines(job, summary);
     text += tile_lines(summary);

@@ -27,9 +27,9 @@ bool across_walls(const Job& job, const OfAxis& of_axis) {
            (has_walls_across(job.walls, 1) && of_axis(1));
 }
 
-template <bool Format::*kMember>
-bool takes(const Format& format) {
-    return format.*kMember;
+template <bool FormatChoices::*kMember>
+bool takes(const Format& format, bool in_space) {
+    return format.choices(in_space).*kMember;
 }
 
 constexpr std::array kFeatures{
@@ -51,12 +51,15 @@ constexpr std::array kFeatures{
                .option = "--symmetry",
                .fields = "symmetry",
                .is_chosen = [](const Job& job) { return job.symmetry.has_value(); }},
-    FeatureRow{.feature = F::kOrigin, .option = "--origin", .fields = "origin find_origin"},
+    FeatureRow{.feature = F::kOrigin, .option = "--origin", .fields = "origin", .in_space = true},
+    FeatureRow{.feature = F::kFoundOrigin, .fields = "find_origin"},
+    FeatureRow{
+        .feature = F::kSpaceOrigin, .fields = "origin_z", .in_plane = false, .in_space = true},
     FeatureRow{.feature = F::kOriginOffWalls,
                .is_chosen =
                    [](const Job& job) {
                        return job.tile.finds_origin || across_walls(job, [&](int axis) {
-                                  return job.tile.origin[axis] != 0;
+                                  return job.in_plane().origin[axis] != 0;
                               });
                    }},
     FeatureRow{.feature = F::kDensity,
@@ -124,21 +127,23 @@ constexpr std::array kFeatures{
     FeatureRow{.feature = F::kPhases,
                .option = "--phases",
                .fields = "phases site_phases n_site_phases",
+               .in_space = true,
                .is_chosen = [](const Job& job) { return !job.materials.phases.empty(); },
                .in_files = "phases",
-               .taken = takes<&Format::takes_phases>},
+               .taken = takes<&FormatChoices::phases>},
     FeatureRow{.feature = F::kOrientations,
                .option = "--orientations",
                .fields = "orientations n_orientations random_orientations",
+               .in_space = true,
                .is_chosen = [](const Job& job) { return job.materials.has_orientations(); },
                .in_files = "orientations",
-               .taken = takes<&Format::takes_orientations>},
+               .taken = takes<&FormatChoices::orientations>},
     FeatureRow{.feature = F::kMaterials,
                .option = "--material",
                .fields = "materials",
                .is_chosen = [](const Job& job) { return !job.file_options.elastic.empty(); },
                .in_files = "elastic constants",
-               .taken = takes<&Format::takes_constants>},
+               .taken = takes<&FormatChoices::constants>},
     FeatureRow{
         .feature = F::kDelaunay,
         .in_space = true,
@@ -165,13 +170,13 @@ constexpr std::array kFeatures{
                            return (axis == 0 ? job.tile.repeat.columns : job.tile.repeat.rows) > 1;
                        });
                    }},
-    FeatureRow{.feature = F::kTable, .option = "--cells"},
+    FeatureRow{.feature = F::kTable, .option = "--cells", .in_space = true},
     FeatureRow{.feature = F::kColour,
                .option = "--colour",
                .fields = "colour",
                .is_chosen = [](const Job& job) { return job.file_options.colouring.has_value(); },
                .in_files = "a colouring",
-               .taken = takes<&Format::takes_colouring>},
+               .taken = takes<&FormatChoices::colouring>},
     FeatureRow{.feature = F::kColourByDensity,
                .is_chosen = [](const Job& job) { return shows(job, ColouringNeed::kDensity); }},
     FeatureRow{.feature = F::kColourByPhase,
@@ -185,70 +190,70 @@ constexpr std::array kFeatures{
                .fields = "background",
                .is_chosen = [](const Job& job) { return job.file_options.background.has_value(); },
                .in_files = "a background",
-               .taken = takes<&Format::takes_background>},
+               .taken = takes<&FormatChoices::background>},
     FeatureRow{.feature = F::kGlbNodes,
                .option = "--glb-nodes",
                .fields = "gltf_nodes",
                .is_chosen =
                    [](const Job& job) { return job.file_options.gltf_nodes != GltfNodes::kBySize; },
                .in_files = "glTF nodes",
-               .taken = takes<&Format::takes_gltf_nodes>},
+               .taken = takes<&FormatChoices::gltf_nodes>},
     FeatureRow{.feature = F::kSinglePrecision,
                .option = "--float32",
                .fields = "single_precision",
                .is_chosen = [](const Job& job) { return job.file_options.single_precision; },
                .in_files = "32-bit coordinates",
-               .taken = takes<&Format::takes_single_precision>},
+               .taken = takes<&FormatChoices::single_precision>},
     FeatureRow{.feature = F::kPixels,
                .option = "--pixels",
                .fields = "pixels",
                .is_chosen = [](const Job& job) { return job.file_options.pixels != 0; },
                .in_files = "a number of pixels",
-               .taken = takes<&Format::takes_pixels>},
+               .taken = takes<&FormatChoices::pixels>},
     FeatureRow{
         .feature = F::kVoxels,
         .option = "--voxels",
         .fields = "voxels voxel_layers",
         .is_chosen = [](const Job& job) { return job.file_options.voxels != plane::VoxelCounts{}; },
         .in_files = "a number of voxels",
-        .taken = takes<&Format::takes_voxels>},
+        .taken = takes<&FormatChoices::voxels>},
     FeatureRow{.feature = F::kCoriolis,
                .option = "--coriolis",
                .fields = "coriolis",
                .is_chosen = [](const Job& job) { return job.file_options.coriolis.has_value(); },
                .in_files = "a Coriolis parameter",
-               .taken = takes<&Format::takes_coriolis>},
+               .taken = takes<&FormatChoices::coriolis>},
     FeatureRow{.feature = F::kCut,
                .option = "--cut",
                .fields = "cut_width",
                .is_chosen = [](const Job& job) { return job.file_options.cut_width != 0; },
                .in_files = "a width to cut",
-               .taken = takes<&Format::takes_cut_width>},
+               .taken = takes<&FormatChoices::cut_width>},
     FeatureRow{.feature = F::kElement,
                .option = "--element",
                .fields = "element",
                .is_chosen =
                    [](const Job& job) { return job.file_options.element != PlaneElement::kStrain; },
                .in_files = "a type of elements",
-               .taken = takes<&Format::takes_element>},
+               .taken = takes<&FormatChoices::element>},
     FeatureRow{.feature = F::kSolverJob,
                .option = "--job",
                .fields = "job",
                .is_chosen = [](const Job& job) { return job.file_options.job != SolverJob::kNone; },
                .in_files = "a job of a solver",
-               .taken = takes<&Format::takes_job>},
+               .taken = takes<&FormatChoices::job>},
     FeatureRow{.feature = F::kThickness,
                .option = "--thickness",
                .fields = "thickness",
                .is_chosen = [](const Job& job) { return job.file_options.thickness != 0; },
                .in_files = "a thickness",
-               .taken = takes<&Format::takes_thickness>},
+               .taken = takes<&FormatChoices::thickness>},
     FeatureRow{.feature = F::kSurface,
                .option = "--surface",
                .fields = "surface",
                .in_plane = false,
                .in_space = true,
-               .taken = [](const Format& format) { return format.has_surfaces(); }}};
+               .taken = [](const Format& format, bool) { return format.has_surfaces(); }}};
 
 /// The fields of an option that every job can have.
 struct CommonRow {

@@ -24,6 +24,8 @@ enum class Feature : std::uint8_t {
     kSpaceLattice,
     kSymmetry,
     kOrigin,
+    kFoundOrigin,
+    kSpaceOrigin,
     kOriginOffWalls,
     kDensity,
     kDensityRange,
@@ -89,8 +91,8 @@ struct FeatureRow {
     bool (*is_chosen)(const Job& job) = nullptr;
     /// Its name in the message that no output takes it; null where no file in the plane holds it.
     const char* in_files = nullptr;
-    /// Whether a format holds it; null for no part of files.
-    bool (*taken)(const Format& format) = nullptr;
+    /// Whether a format holds it, in the plane or in space; null for no part of files.
+    bool (*taken)(const Format& format, bool in_space) = nullptr;
 };
 
 /// In the order of the enumerators.

@@ -61,6 +61,8 @@ inline constexpr double kLongestShortEdge = 0.5;
 template <class Lattice>
 struct JobDomain {
     Lattice lattice;
+    /// The corner of the domain in which tiles and sites are placed, length units.
+    typename Lattice::Point origin = Lattice::Point::Zero();
     /// The sites, one a column, length units. If there are none, Job::n_sites sites begin at
     /// Job::start.
     typename Lattice::Points points = {};
@@ -164,7 +166,7 @@ struct Job {
     /// precedes the extension: tile-voronoi.obj. Not every kind has a box outline (mesh_kind.hpp).
     std::vector<plane::MeshKind> meshes = {plane::MeshKind::kVoronoi};
     /// How each of them becomes a tile. The tessellation supplies its elongation, walls, tags and
-    /// holes.
+    /// holes, and the domain its origin: tile_options().
     plane::TileOptions tile;
 
     /// Phases are spread and orientations drawn by `seed`; given orientations are those of the

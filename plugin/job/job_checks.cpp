@@ -41,18 +41,32 @@ plane::Reduction reduce_repeated(const Job& job) {
     }
 }
 
+[[noreturn]] void refuse_origin() {
+    throw InvalidInput(
+        "the origin is so far away that the tile would lose its digits; give a nearer one");
+}
+
 /// Requires that the offsets fit their integers, and that different vertices stay different.
 void check_origin(const Job& job, const plane::Reduction& repeated, double n_sites) {
-    const plane::Vec2 periods = repeated.reduced.to_lattice(job.tile.origin);
+    const plane::Vec2 periods = repeated.reduced.to_lattice(job.in_plane().origin);
     double largest = 1;
     for (const int entry : repeated.m) largest = std::max(largest, std::abs(double(entry)));
-    const double rounding =
-        kUlps * std::numeric_limits<double>::epsilon() * job.tile.origin.cwiseAbs().maxCoeff();
+    const double rounding = kUlps * std::numeric_limits<double>::epsilon() *
+                            job.in_plane().origin.cwiseAbs().maxCoeff();
     const double h = std::sqrt(job.in_plane().lattice.area() / n_sites);
     if (!(periods.cwiseAbs().maxCoeff() * largest < kLargestOffset) ||
         !(rounding <= plane::kSameVertex * h)) {
-        throw InvalidInput(
-            "the origin is so far away that the tile would lose its digits; give a nearer one");
+        refuse_origin();
+    }
+}
+
+void check_origin(const SpaceDomain& domain, int n_sites) {
+    const space::Vec3 periods = reduce(domain.lattice).reduced.to_lattice(domain.origin);
+    const double rounding =
+        kUlps * std::numeric_limits<double>::epsilon() * domain.origin.cwiseAbs().maxCoeff();
+    if (!(periods.cwiseAbs().maxCoeff() < kLargestOffset) ||
+        !(rounding <= plane::kSameVertex * domain.lattice.spacing(n_sites))) {
+        refuse_origin();
     }
 }
 
@@ -207,6 +221,9 @@ void check_job(const Job& job) {
     if (job.is_in_space()) {
         check_stability(job);
         check_short_edges(job);
+        check_origin(job.in_space(), job.n_wanted());
+        require_phase_names(job.materials);
+        require_one_a_site(job.materials, job.n_wanted());
         return;
     }
     // What follows from the options themselves.

@@ -28,10 +28,10 @@ OutputRequest output_request(const Job& job) {
 constexpr double kLeastCutWidth = 1e-3;
 constexpr double kLargestCutWidth = 1e6;
 
-std::string extensions_that_take(const FeatureRow& feature) {
+std::string extensions_that_take(const FeatureRow& feature, bool in_space) {
     std::string text;
     for (const Format& format : formats()) {
-        if (!feature.taken(format)) continue;
+        if (!feature.taken(format, in_space)) continue;
         text += (text.empty() ? "" : " or ") + std::string(format.extension);
     }
     return text;
@@ -61,10 +61,16 @@ void check_constants(const Job& job, const std::vector<JobFile>& files,
 
 }  // namespace
 
+plane::TileOptions tile_options(const Job& job) {
+    plane::TileOptions options = job.tile;
+    options.origin = job.in_plane().origin;
+    return options;
+}
+
 FormatRequest format_request(const Job& job) {
     return {
         .lattice = job.in_plane().lattice.repeated(job.tile.repeat.columns, job.tile.repeat.rows),
-        .tile = job.tile,
+        .tile = tile_options(job),
         .n_sites = double(job.n_wanted()),
         .walls = job.walls,
         .has_holes = !job.holes.empty(),
@@ -131,12 +137,14 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files,
         if (feature.in_files == nullptr || files.empty() || !feature.is_chosen(job)) continue;
         // Files for cutters have no colours and no background.
         const bool taken = std::any_of(files.begin(), files.end(), [&](const JobFile& file) {
-            const bool is_cut = cut_width != 0 && file.format->takes_cut_width;
-            return feature.taken(*file.format) && (!is_cut || feature.feature == Feature::kCut);
+            const bool is_cut = cut_width != 0 && file.format->takes.cut_width;
+            return feature.taken(*file.format, job.is_in_space()) &&
+                   (!is_cut || feature.feature == Feature::kCut);
         });
         if (taken) continue;
         throw InvalidInput(std::string("no output takes ") + feature.in_files + "; add one of " +
-                           extensions_that_take(feature) + ", or leave the option out");
+                           extensions_that_take(feature, job.is_in_space()) +
+                           ", or leave the option out");
     }
     check_constants(job, files, phases);
     if (job.file_options.gltf_nodes == GltfNodes::kCells &&

@@ -15,6 +15,9 @@ using JobFile = OutputFile;
 /// The content that a job in the plane has for its files, besides the density.
 FormatRequest format_request(const Job& job);
 
+/// Job::tile at the origin of the domain, in the plane.
+plane::TileOptions tile_options(const Job& job);
+
 /// The files of a job in the order of its outputs, without the report.
 ///
 ///   for (const JobFile& file : plan_files(job)) std::puts(file.paths.front().c_str());

@@ -97,9 +97,9 @@ double file_bytes(const Job& job, const JobFile& file) {
     const plane::MeshKind kind =
         file.mesh < 0 ? plane::MeshKind::kVoronoi : job.meshes[static_cast<std::size_t>(file.mesh)];
     const double side = job.file_options.pixels != 0 ? job.file_options.pixels : kDefaultPixels;
-    const double pixels = file.format->takes_pixels ? kPixel * side * side : 0;
+    const double pixels = file.format->takes.pixels ? kPixel * side * side : 0;
     return mesh_bytes(job, kind, file.format->memory) + pixels +
-           (file.format->takes_voxels ? voxel_bytes(job) : 0);
+           (file.format->takes.voxels ? voxel_bytes(job) : 0);
 }
 
 /// The sites, from their start to the end of their optimisation.

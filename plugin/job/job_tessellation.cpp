@@ -14,7 +14,7 @@ plane::TaggedInclusions inclusions_of(const Job& job) {
     plane::TaggedInclusions inclusions{.tag_names = inclusion_tags(job), .holes = job.holes};
     inclusions.tag_names.insert(inclusions.tag_names.begin(), kMatrixTag);
     if (job.tile.outline == plane::Outline::kBox && !job.tile.finds_origin) {
-        inclusions.box_corner = job.tile.origin;
+        inclusions.box_corner = job.in_plane().origin;
     }
     if (job.inclusions) {
         inclusions.shapes = job.inclusions->inclusions;
@@ -109,7 +109,8 @@ plane::Points progress_sites(const Job& job, const Progress& progress) {
     const plane::Metric metric = metric_of(job);
     plane::Points points = (*progress.positions)();
     for (auto p : points.colwise()) p = metric.from_round(p);
-    return wrapped_points(std::move(points), job.in_plane().lattice, job.tile.origin, job.walls);
+    return wrapped_points(std::move(points), job.in_plane().lattice, job.in_plane().origin,
+                          job.walls);
 }
 
 }  // namespace pcvt

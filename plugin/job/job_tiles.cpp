@@ -43,7 +43,7 @@ std::vector<plane::BuiltTile> proved_tiles(const Job& job, const plane::Tessella
                                            JobMonitor& monitor) {
     // Figures of the run need the table, and a tile takes the cells.
     if (cells.areas || cells.elongation || cells.walled) cells.table();
-    plane::TileOptions options = job.tile;
+    plane::TileOptions options = tile_options(job);
     std::vector<plane::BuiltTile> tiles;
     tiles.reserve(job.meshes.size());
     for_each_mesh(job, monitor, Phase::kBuilding, "building", [&](std::size_t k) {

@@ -23,7 +23,7 @@ std::vector<double> site_densities(const Job& job, const plane::Tessellation& ce
     const plane::Density density =
         job.symmetry ? folded_density(*job.density, plane::PlaneGroup(*job.symmetry, lattice))
                      : *job.density;
-    return densities_at(density, lattice, wrapped_sites(cells, job.tile.origin));
+    return densities_at(density, lattice, wrapped_sites(cells, job.in_plane().origin));
 }
 
 /// Encodes the files of a job, each in the form that its format writes, and proves them.
@@ -48,7 +48,8 @@ class PlaneContent {
         } else if (format.reads_voxels()) {
             prove_voxel_files(format, encoded, computation_.materials);
         } else if (format.is_readable()) {
-            prove_tile_files(format, encoded, tile(file), job_.tile.origin, tile_options(file));
+            prove_tile_files(format, encoded, tile(file), job_.in_plane().origin,
+                             tile_options(file));
         }
     }
 
@@ -64,7 +65,7 @@ class PlaneContent {
             repeated(computation_.cells.mesh(plane::MeshKind::kVoronoi), job_.tile.repeat.columns,
                      job_.tile.repeat.rows);
         const Torus torus{.cells = cells,
-                          .origin = job_.tile.origin,
+                          .origin = job_.in_plane().origin,
                           .site_densities = computation_.site_densities,
                           .coriolis = job_.file_options.coriolis,
                           .history = history()};
@@ -87,7 +88,7 @@ class PlaneContent {
         const plane::Lattice& lattice = job_.in_plane().lattice;
         const plane::VoxelGrid grid =
             voxel_grid(lattice.repeated(job_.tile.repeat.columns, job_.tile.repeat.rows),
-                       job_.tile.origin, counts);
+                       job_.in_plane().origin, counts);
         const auto& elongation = computation_.cells.elongation;
         const plane::VoxelCells cells{.lattice = lattice,
                                       .sites = sites(),
@@ -130,7 +131,9 @@ class PlaneContent {
         if (job_.has_inclusions() && !options.colouring) options.colouring = Colouring::kTag;
         return options;
     }
-    plane::Points sites() const { return wrapped_sites(computation_.cells, job_.tile.origin); }
+    plane::Points sites() const {
+        return wrapped_sites(computation_.cells, job_.in_plane().origin);
+    }
     const plane::Tile& tile(const JobFile& file) const {
         return tiles_[static_cast<std::size_t>(file.mesh)].tile;
     }
@@ -172,7 +175,7 @@ Computation<PlaneWorld> PlaneWorld::compute(const Job& job, JobMonitor& monitor,
         }
     }
     std::vector<double> densities = site_densities(job, cells);
-    plane::MaterialsOfSites of_sites = materials_of_sites(cells, job.materials, job.seed);
+    MaterialsOfCells of_sites = materials_of_sites(cells, job.materials, job.seed);
     Computation<PlaneWorld> computation{.cells = std::move(cells),
                                         .start = std::move(start.figures),
                                         .site_densities = std::move(densities),

@@ -74,14 +74,15 @@ std::string flat_in_words(const space::TetrahedralMesh& mesh, const std::vector<
 
 /// The tetrahedra, if a file holds them.
 std::optional<space::TetrahedralMesh> build_tetrahedra(const space::PeriodicDelaunay& delaunay,
+                                                       const Job& job,
                                                        const std::vector<JobFile>& files,
-                                                       plane::MeshKind kind, JobMonitor& monitor) {
+                                                       JobMonitor& monitor) {
     const auto file = std::find_if(files.begin(), files.end(), [&](const JobFile& f) {
-        return f.format->space->shows_tetrahedra(kind);
+        return f.format->space->shows_tetrahedra(job.meshes.front());
     });
     if (file == files.end()) return {};
     monitor.begin(Phase::kBuilding, "building the tetrahedra");
-    space::TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
+    space::TetrahedralMesh mesh = tetrahedral_mesh(delaunay, job.in_space().origin);
     const std::vector<int> flat = flat_tetrahedra(mesh, delaunay.sites.n_sites());
     if (flat.empty()) return mesh;
     throw InvalidInput("-o " + file->path() + ": " + flat_in_words(mesh, flat) +
@@ -104,7 +105,8 @@ void require_closed_boundary(const Job& job, const std::vector<JobFile>& files,
 /// What the files of a job hold.
 struct SpaceContent {
     const SpaceTile& tile;
-    /// The sites in the domain, 3 x n, for .txt files.
+    const Computation<SpaceWorld>& computation;
+    /// The sites in the domain, 3 x n, for files that hold no tile.
     space::Points points;
     /// For files of tetrahedra; nothing if there is none.
     std::optional<space::TetrahedralMesh> tetrahedra;
@@ -117,6 +119,9 @@ struct SpaceContent {
             return format.encode_tetrahedra(tetrahedra.value(), file.path());
         }
         if (format.encode != nullptr) return format.encode(tile, surfaces, file.path());
+        if (const auto* const write = std::get_if<CellWriter*>(&file.format->write)) {
+            return (*write)(rows(), file.path());
+        }
         return only_file(file.path(), encode_sites(points));
     }
 
@@ -127,16 +132,27 @@ struct SpaceContent {
             prove_own_tetrahedra(encoded.front(), tetrahedra.value());
         } else if (format.encode != nullptr) {
             prove_own_space_files(encoded, tile);
+        } else if (file.format->reads_cells()) {
+            prove_cell_files(*file.format, encoded, rows());
         } else {
             prove_space_site_file(encoded.front(), points);
         }
+    }
+
+   private:
+    CellRows rows() const {
+        return {.sites = points,
+                .cells = computation.cells.table(),
+                .materials = computation.materials};
     }
 };
 
 }  // namespace
 
-void SpaceWorld::check_files(const Job& /*job*/, const std::vector<JobFile>& /*files*/,
-                             const std::vector<std::string>& /*phases*/) {}
+void SpaceWorld::check_files(const Job& job, const std::vector<JobFile>& files,
+                             const std::vector<std::string>& phases) {
+    check_file_options(job, files, phases);
+}
 
 Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
     StartFigures figures;
@@ -148,10 +164,20 @@ Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor,
         return monitor.iteration(progress);
     };
     watch.stop(&JobSeconds::optimize);
-    space::CvtResult cells = space::compute_cvt(job.in_space().lattice, points, options);
-    if (cells.run.stop == Stop::kCancelled) throw Cancelled{};
+    space::Tessellation cells(space::compute_cvt(job.in_space().lattice, points, options));
     watch.stop(&JobSeconds::optimize);
-    return {.cells = std::move(cells), .start = std::move(figures), .seconds = watch.seconds()};
+    if (cells.run.stop == Stop::kCancelled) throw Cancelled{};
+    MaterialsOfCells of_cells;
+    if (!job.materials.empty()) {
+        of_cells = materials_of_cells(job.materials, cells.table(), job.seed);
+    }
+    Computation<SpaceWorld> computation{.cells = std::move(cells),
+                                        .start = std::move(figures),
+                                        .materials = std::move(of_cells.materials),
+                                        .phases = std::move(of_cells.phases)};
+    watch.stop(&JobSeconds::build);
+    computation.seconds = watch.seconds();
+    return computation;
 }
 
 SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobFile>& /*files*/,
@@ -159,13 +185,15 @@ SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobF
                                           JobMonitor& monitor) {
     const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
     monitor.begin(Phase::kBuilding, "building the cells");
-    space::CellComplex complex = cell_complex(delaunay.sites, delaunay.tetrahedra);
+    space::CellComplex complex = computation.cells.complex();
     const std::size_t n_vertices = complex.vertices.size();
     complex = without_short_edges(std::move(complex), job.tile.short_edges);
-    ProvedSpaceTile built{.tile = {.mesh = polyhedral_mesh(delaunay.sites, complex)}};
+    ProvedSpaceTile built{
+        .tile = {.mesh = polyhedral_mesh(delaunay.sites, complex, job.in_space().origin)}};
     built.figures.n_removed_edges = static_cast<int>(n_vertices - complex.vertices.size());
     SpaceTile& tile = built.tile;
     tile.sites = sites_in_cells(delaunay.sites, tile.mesh);
+    tile.materials = computation.materials;
     monitor.begin(Phase::kProving, "proving the cells");
     try {
         built.figures.proof = prove_polyhedra(tile.mesh);
@@ -187,7 +215,7 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
     const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
     const plane::MeshKind kind = job.meshes.front();
     std::optional<space::TetrahedralMesh> tetrahedra =
-        build_tetrahedra(delaunay, files, kind, monitor);
+        build_tetrahedra(delaunay, job, files, monitor);
     const ProvedSpaceTile& built = tiles(monitor);
     summary.n_sites = delaunay.sites.n_sites();
     summary.energy_bound =
@@ -195,9 +223,9 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
     summary.valences = built.face_counts;
     summary.polyhedra = built.figures;
     require_closed_boundary(job, files, built.figures.proof);
-    const auto content = std::make_shared<const SpaceContent>(
-        SpaceContent{built.tile, delaunay.sites.positions(), std::move(tetrahedra), kind,
-                     job.file_options.surfaces});
+    const auto content = std::make_shared<const SpaceContent>(SpaceContent{
+        built.tile, computation, wrapped_positions(delaunay.sites, job.in_space().origin),
+        std::move(tetrahedra), kind, job.file_options.surfaces});
     return {.encode = [content](const JobFile& file) { return content->encode(file); },
             .prove =
                 [content](const JobFile& file, const std::vector<EncodedFile>& encoded) {

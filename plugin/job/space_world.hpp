@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "io/forms/space_tile.hpp"
-#include "mesher/space/cvt/cvt.hpp"
 #include "mesher/space/cvt/minimum.hpp"
+#include "mesher/space/tessellation/tessellation.hpp"
 #include "plugin/job/job_files.hpp"
 #include "plugin/job/job_staging.hpp"
 #include "plugin/job/run_job.hpp"
@@ -23,7 +23,7 @@ struct ProvedSpaceTile {
 
 /// What run_job() needs of space; members as those of PlaneWorld.
 struct SpaceWorld {
-    using Cells = space::CvtResult;
+    using Cells = space::Tessellation;
     using Tiles = ProvedSpaceTile;
 
     static void check_files(const Job& job, const std::vector<JobFile>& files,

@@ -250,6 +250,14 @@ def check_surfaces(folder, text):
     require(len(accepted) == 5, "check does not accept the surfaces")
 
 
+def check_space_grains(folder, text):
+    with open(folder / "grains.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    volumes = [float(row["volume"]) for row in rows if row["phase"] == "ferrite"]
+    require(len(rows) == 500 and abs(sum(volumes) - 0.3) < 1e-3, "the phases have other shares")
+    require("grains.vtu: a periodic tile of polyhedra: 500 cells" in text, "check does not accept the cells")
+
+
 def check_faces(_, text):
     on_side, of_cell = number(text, r"^(\d+) faces on one side"), number(text, r"(\d+) faces of cell 0$")
     require(on_side > 10 and of_cell >= 4, f"{on_side} faces on one side, {of_cell} of cell 0")
@@ -380,6 +388,7 @@ ROWS = {
     ("Symmetry", "A rosette"): Row(check_rosette),
     ("Space", ""): Row(),
     ("Space", "Polyhedra for OpenFOAM and VTK"): Row(check_space, programs=("icoFoam",)),
+    ("Space", "Phases, orientations and a table of the cells"): Row(check_space_grains),
     ("Space", "Surfaces and pictures"): Row(check_surfaces),
     ("Space", "Space in Python"): Row(check_faces),
     ("Your own data", ""): Row(),

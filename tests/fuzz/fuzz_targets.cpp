@@ -71,11 +71,11 @@ std::vector<plane::Tile> example_tiles() {
 /// The forms of files that change more than colours.
 std::vector<FileOptions> file_forms(const Format& format) {
     std::vector<FileOptions> forms(1);
-    if (format.takes_gltf_nodes) {
+    if (format.takes.gltf_nodes) {
         forms[0].gltf_nodes = GltfNodes::kCells;
         forms.push_back({.gltf_nodes = GltfNodes::kOne});
     }
-    if (format.takes_single_precision) forms.push_back({.single_precision = true});
+    if (format.takes.single_precision) forms.push_back({.single_precision = true});
     return forms;
 }
 

@@ -94,10 +94,10 @@ const CellMaterials& materials() {
 /// The forms in which a format writes one tile of kSites sites.
 std::vector<std::pair<const char*, FileOptions>> forms(const Format& format, plane::MeshKind kind) {
     std::vector<std::pair<const char*, FileOptions>> forms{{"", {}}};
-    if (format.takes_gltf_nodes) forms.push_back({" one-node", {.gltf_nodes = GltfNodes::kOne}});
-    if (format.takes_single_precision) forms.push_back({" float32", {.single_precision = true}});
-    if (format.takes_colouring) forms.push_back({" by-size", {.colouring = Colouring::kSize}});
-    if ((format.takes_phases || format.takes_orientations) && faces_have_sites(kind)) {
+    if (format.takes.gltf_nodes) forms.push_back({" one-node", {.gltf_nodes = GltfNodes::kOne}});
+    if (format.takes.single_precision) forms.push_back({" float32", {.single_precision = true}});
+    if (format.takes.colouring) forms.push_back({" by-size", {.colouring = Colouring::kSize}});
+    if ((format.takes.phases || format.takes.orientations) && faces_have_sites(kind)) {
         forms.push_back({" materials", {.materials = &materials()}});
     }
     return forms;

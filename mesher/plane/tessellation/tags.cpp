@@ -34,16 +34,13 @@ std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation) {
     return phase_figures(tags, of_all, tessellation.table());
 }
 
-MaterialsOfSites materials_of_sites(const Tessellation& tessellation,
+MaterialsOfCells materials_of_sites(const Tessellation& tessellation,
                                     const MaterialChoices& choices, std::uint64_t seed) {
     if (!tessellation.tag_names.empty()) {
         return {tag_materials(tessellation), tag_figures(tessellation)};
     }
     if (choices.empty()) return {};
-    const CellTable& cells = tessellation.table();
-    MaterialsOfSites of_sites{.materials = choose_materials(choices, cells, seed)};
-    of_sites.phases = phase_figures(choices, of_sites.materials, cells);
-    return of_sites;
+    return materials_of_cells(choices, tessellation.table(), seed);
 }
 
 }  // namespace pcvt::plane

@@ -19,16 +19,11 @@ CellMaterials tag_materials(const Tessellation& tessellation);
 /// One entry a tag, also of holes; the targets are the areas of the shapes.
 std::vector<PhaseFigures> tag_figures(const Tessellation& tessellation);
 
-/// The materials of the sites outside of holes, and one entry a phase or tag.
-struct MaterialsOfSites {
-    CellMaterials materials = {};
-    std::vector<PhaseFigures> phases = {};
-};
-
-/// Round inclusions, the tags are the phases; other cells have what the choices say, drawn by
-/// `seed`. Makes no table of cells that have no materials.
+/// The materials of the sites outside of holes, and one entry a phase or tag. Round inclusions, the
+/// tags are the phases; other cells have what the choices say, drawn by `seed`. Makes no table of
+/// cells that have no materials.
 /// @throws InvalidInput as choose_materials() does.
-MaterialsOfSites materials_of_sites(const Tessellation& tessellation,
+MaterialsOfCells materials_of_sites(const Tessellation& tessellation,
                                     const MaterialChoices& choices, std::uint64_t seed);
 
 }  // namespace pcvt::plane

@@ -115,7 +115,7 @@ std::map<int, int> side_counts(const Tessellation& tessellation) {
 AreaSummary area_summary(const Tessellation& tessellation, const Eigen::VectorXd& given) {
     const CellTable& cells = tessellation.table();
     std::vector<double> circularities;
-    for (SiteId s = 0; s < cells.n_cells(); ++s) circularities.push_back(cells.circularity(s));
+    for (SiteId s = 0; s < cells.n_cells(); ++s) circularities.push_back(cells.roundness(s));
     AreaSummary summary{.newton = *tessellation.areas};
     summary.circularity_mean = mean(circularities);
     for (double& c : circularities)

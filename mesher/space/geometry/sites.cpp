@@ -4,6 +4,17 @@
 
 namespace pcvt::space {
 
+Points wrapped_positions(const Sites& sites, const Vec3& origin) {
+    Points positions = sites.positions();
+    if (origin == Vec3::Zero()) return positions;
+    const Lattice& reduced = sites.reduction().reduced;
+    for (auto p : positions.colwise()) {
+        const Vec3 whole = reduced.to_lattice(p - origin).array().floor();
+        p -= reduced.to_position(whole);
+    }
+    return positions;
+}
+
 Sites some_of(const Sites& sites, std::span<const SiteId> chosen) {
     Points coordinates(3, static_cast<Eigen::Index>(chosen.size()));
     for (std::size_t k = 0; k < chosen.size(); ++k) {

@@ -12,6 +12,13 @@ inline constexpr int kMostSites = Lattice::kMostSites;
 using Sites = pcvt::Sites<Lattice>;
 using pcvt::uniform_points;
 
+/// The positions of the sites in the parallelepiped of the reduced basis with its corner at
+/// `origin`, 3 x n, length units.
+///
+/// Example usage:
+///   const Points points = wrapped_positions(sites, {-17.1, 3.25, -2});
+Points wrapped_positions(const Sites& sites, const Vec3& origin);
+
 /// The chosen sites, in their order.
 Sites some_of(const Sites& sites, std::span<const SiteId> chosen);
 

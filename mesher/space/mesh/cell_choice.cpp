@@ -62,8 +62,9 @@ void join_one_part(const CellComplex& complex, DisjointSets& parts, std::vector<
 
 }  // namespace
 
-Vec3 domain_corner(const Lattice& lattice, const Reduction& reduction) {
-    const Vec3 centre = reduction.reduced.to_lattice(lattice.to_position(Vec3::Constant(0.5)));
+Vec3 domain_corner(const Lattice& lattice, const Reduction& reduction, const Vec3& origin) {
+    const Vec3 centre =
+        reduction.reduced.to_lattice(origin + lattice.to_position(Vec3::Constant(0.5)));
     return centre - Vec3::Constant(0.5);
 }
 

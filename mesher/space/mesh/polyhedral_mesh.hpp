@@ -35,11 +35,14 @@ struct PolyhedralMesh : FiniteVolumeMesh {
 /// Adds the two patches of a seam, whose faces the next 2 n faces of the mesh are.
 void add_seam_patches(const Offset& offset, int n, PolyhedralMesh& mesh);
 
-/// Lays the cells of a Voronoi diagram out as one tile round the domain at the origin.
+/// Lays the cells of a Voronoi diagram out as one tile round the domain.
 ///
 /// Example usage:
 ///   const PolyhedralMesh mesh = polyhedral_mesh(sites, cell_complex(sites, tetrahedra));
 ///   const PolyhedralProof proof = prove_polyhedra(mesh);
-PolyhedralMesh polyhedral_mesh(const Sites& sites, const CellComplex& complex);
+///
+/// @param origin  the corner of the domain, length units.
+PolyhedralMesh polyhedral_mesh(const Sites& sites, const CellComplex& complex,
+                               const Vec3& origin = Vec3::Zero());
 
 }  // namespace pcvt::space

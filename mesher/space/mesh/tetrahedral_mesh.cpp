@@ -14,13 +14,14 @@ namespace {
 /// Chooses one image of each tetrahedron.
 class TileGrowth {
    public:
-    explicit TileGrowth(const PeriodicDelaunay& delaunay)
+    TileGrowth(const PeriodicDelaunay& delaunay, const Vec3& origin)
         : tetrahedra_(delaunay.tetrahedra),
           coordinates_(delaunay.sites.coordinates()),
           placed_(static_cast<std::size_t>(tetrahedra_.n_tetrahedra()), false),
           frames_(placed_.size()) {
         const Lattice& reduced = delaunay.sites.reduction().reduced;
-        centre_ = reduced.to_lattice(delaunay.sites.lattice().to_position(Vec3::Constant(0.5)));
+        centre_ =
+            reduced.to_lattice(origin + delaunay.sites.lattice().to_position(Vec3::Constant(0.5)));
     }
 
     /// Returns the offset of each tetrahedron from its own frame, in the reduced basis.
@@ -101,9 +102,9 @@ void append_points(TetrahedralMesh& mesh, const Sites& sites, const std::vector<
 
 }  // namespace
 
-TetrahedralMesh tetrahedral_mesh(const PeriodicDelaunay& delaunay) {
+TetrahedralMesh tetrahedral_mesh(const PeriodicDelaunay& delaunay, const Vec3& origin) {
     // One image of each tetrahedron, with offsets in the given basis.
-    const std::vector<Offset> frames = tied_frames(delaunay, TileGrowth(delaunay).grow());
+    const std::vector<Offset> frames = tied_frames(delaunay, TileGrowth(delaunay, origin).grow());
     std::vector<Tetrahedron> placed;
     std::vector<Corner> images;
     for (int t = 0; t < delaunay.tetrahedra.n_tetrahedra(); ++t) {

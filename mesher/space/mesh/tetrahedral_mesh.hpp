@@ -37,8 +37,8 @@ struct TetrahedralMesh {
     int n_tetrahedra() const { return static_cast<int>(tetrahedra.size()); }
 };
 
-/// Lays the tetrahedra of a Delaunay triangulation out as one connected tile round the domain at
-/// the origin. The tile grows from the tetrahedron whose barycentre lies next to the centre of the
+/// Lays the tetrahedra of a Delaunay triangulation out as one connected tile round the domain. The
+/// tile grows from the tetrahedron whose barycentre lies next to the centre of the
 /// domain, across triangles, always by the image whose barycentre is nearest to that centre; the
 /// distance is the largest difference of the coordinates in the reduced basis. Then tied_frames()
 /// moves the few tetrahedra that leave points without a partner on a slave of the seam.
@@ -48,6 +48,9 @@ struct TetrahedralMesh {
 ///   const TetrahedralProof proof = prove_tetrahedra(mesh);
 ///
 /// Cost: t log t for t tetrahedra, and that of tied_frames().
-TetrahedralMesh tetrahedral_mesh(const PeriodicDelaunay& delaunay);
+///
+/// @param origin  the corner of the domain, length units.
+TetrahedralMesh tetrahedral_mesh(const PeriodicDelaunay& delaunay,
+                                 const Vec3& origin = Vec3::Zero());
 
 }  // namespace pcvt::space

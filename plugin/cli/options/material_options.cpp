@@ -42,7 +42,7 @@ void read_phase_choice(const std::string& text, MaterialChoices& choices,
 void add_material_options(CLI::App& app, MaterialOptions& options) {
     app.option_defaults()->group("Materials");
     app.add_option("--phases", options.phases,
-                   "each cell gets a phase; the fractions of the area sum to 1, and the\n"
+                   "each cell gets a phase; the fractions of the area or volume sum to 1, the\n"
                    "cells of a phase are spread evenly, drawn from --seed; or the phase of\n"
                    "each site, one name a line")
         ->type_name("NAME:FRACTION,...|FILE[:COLUMN]");

@@ -120,6 +120,11 @@ plane::Vec2 point(const std::string& option, const std::string& text) {
     return {xy[0], xy[1]};
 }
 
+space::Vec3 space_point(const std::string& option, const std::string& text) {
+    const std::vector<double> xyz = numbers(option, text, 3, "X,Y,Z");
+    return {xyz[0], xyz[1], xyz[2]};
+}
+
 plane::Lattice rectangle_lattice(const std::string& option, const std::string& text) {
     const std::vector<double> sides = numbers(option, text, 2, "W,H, such as 1,1");
     if (!(sides[0] > 0) || !(sides[1] > 0)) {

@@ -51,6 +51,9 @@ double positive_number(const std::string& option, const std::string& text);
 /// "X,Y", both finite.
 plane::Vec2 point(const std::string& option, const std::string& text);
 
+/// "X,Y,Z".
+space::Vec3 space_point(const std::string& option, const std::string& text);
+
 /// "W,H", both above 0.
 plane::Lattice rectangle_lattice(const std::string& option, const std::string& text);
 

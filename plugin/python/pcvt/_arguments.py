@@ -4,7 +4,7 @@ import inspect
 
 import numpy as np
 
-from ._calls import doubles, set_integers, shaped, text
+from ._calls import doubles, set_doubles, set_integers, shaped, text
 from ._library import ArgumentError
 from ._words import PLANE_ONLY
 
@@ -34,6 +34,20 @@ def refuse_plane_only(function, arguments):
     if names:
         raise ArgumentError(f"{' and '.join(names)} {'is' if len(names) == 1 else 'are'} not for three dimensions; "
                             f"leave {'it' if len(names) == 1 else 'them'} out, or give two period vectors")
+
+
+def set_origin(options, origin, dimension):
+    """Sets the corner of the domain: (x, y), (x, y, z), or in the plane "auto"."""
+    if dimension == 2:
+        options.find_origin = isinstance(origin, str) and origin == "auto"
+        set_doubles(options, origin=(0, 0) if options.find_origin else origin)
+    # The default is that of the plane.
+    elif isinstance(origin, str):
+        raise ArgumentError(f"origin {origin!r} is not for three dimensions; give (x, y, z)")
+    elif not np.array_equal(origin, (0, 0)):
+        corner = doubles("origin", origin, 3)
+        set_doubles(options, origin=corner[:2])
+        options.origin_z = corner[2]
 
 
 def set_areas(options, areas):

@@ -42,3 +42,43 @@ def cell_table(result):
     for cell, sites_across in enumerate(np.split(across, np.cumsum(n_across)[:-1])):
         cells["neighbours"][cell] = sites_across
     return cells
+
+
+SPACE_CELL = np.dtype([("site", np.int32), ("x", np.float64), ("y", np.float64), ("z", np.float64),
+                       ("volume", np.float64), ("diameter", np.float64), ("faces", np.int32),
+                       ("sphericity", np.float64), ("phase", np.int32), ("phi1", np.float64),
+                       ("Phi", np.float64), ("phi2", np.float64), ("neighbours", object)])
+
+
+def space_cell_table(result):
+    """One entry for each cell of a SpaceResult."""
+    tile = result.tile()
+    # Fans of triangles from the first corner of each face.
+    first = tile.face_begin[:-1]
+    corner = tile.points[tile.face_points]
+    face = np.repeat(np.arange(len(first)), np.diff(tile.face_begin))
+    after = np.arange(1, len(corner) + 1)
+    after[tile.face_begin[1:] - 1] = first
+    start = corner[first][face]
+    normal = np.add.reduceat(np.cross(corner - start, corner[after] - start), first)
+    area = np.sqrt((normal ** 2).sum(axis=1)) / 2
+    n_inner = tile.n_inner_faces
+    across = np.concatenate([tile.neighbour[:n_inner], tile.owner[tile.partner]])
+    # Inner faces have two cells; each side of the seam has its own face.
+    owner = np.concatenate([tile.owner, tile.neighbour[:n_inner]])
+    other = np.concatenate([across, tile.owner[:n_inner]])
+    area = np.concatenate([area, area[:n_inner]])
+    cells = np.empty(len(tile.volumes), SPACE_CELL)
+    cells["site"] = np.arange(len(cells))
+    cells["x"], cells["y"], cells["z"] = result.sites.T
+    cells["volume"] = tile.volumes
+    cells["diameter"] = np.cbrt(6 * tile.volumes / np.pi)
+    cells["faces"] = np.bincount(owner, minlength=len(cells))
+    cells["sphericity"] = np.pi * cells["diameter"] ** 2 / np.bincount(owner, area, len(cells))
+    cells["phase"] = -1 if result.phases is None else result.phases
+    angles = np.full((len(cells), 3), np.nan) if result.orientations is None else result.orientations
+    cells["phi1"], cells["Phi"], cells["phi2"] = angles.T
+    order = np.lexsort((other, owner))
+    for cell, sites_across in enumerate(np.split(other[order], np.cumsum(cells["faces"])[:-1])):
+        cells["neighbours"][cell] = sites_across
+    return cells

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ._arguments import (period_vectors, refuse_plane_only, set_areas, set_fixed, set_inclusions,
-                         set_materials, set_site_phases, set_weights)
+                         set_materials, set_origin, set_site_phases, set_weights)
 from ._calls import (choice, default_options, generated, require_numbers, set_doubles, set_fields, set_integers,
                      set_sites, shaped)
 from ._result import Result
@@ -26,7 +26,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
         result.tile().volumes.sum()                  # 0.729, the volume of the domain
         result.write("tile.foam")
 
-    Space has the arguments sites to duplicates, with its own units: h is the cube root of volume / n,
+    Space has the arguments sites to fields, with its own units: h is the cube root of volume / n,
     and energies have the unit length^5.
 
     sites           the number of sites, drawn from `seed`; or their positions, shape (n, 2), anywhere
@@ -51,6 +51,13 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     duplicates      given sites nearer to an earlier one than 1e-9 h: refuse, an error that names them all, or
                     drop, which leaves them out with their areas and orientations, and numbers the others
                     from 0 again. See Statistics.dropped
+    origin          corner of the domain of the tiles, (x, y), in space (x, y, z); in the plane "auto" cuts the
+                    outline BOX where the shortest edge is longest
+    phases          each cell gets a phase: {name: fraction of the area or volume}, or "NAME:FRACTION,...", with the
+                    sum 1; spread evenly, drawn from `seed`; or a list with the name of each site's phase.
+                    See Result.phases
+    orientations    each cell gets an orientation: shape (n, 3), Bunge's angles phi1, Phi, phi2 in
+                    degrees; or "random", drawn from `seed`. See Result.orientations
     fields          numbers of pcvt_options, by their names in pcvt.h
 
     The arguments that follow are for the plane only.
@@ -60,8 +67,6 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     or the name of a .png file. None: uniform. A function is called on the calling
                     thread, for a few thousand points at a time
     density_range   of the image; 0, 0: pcvt chooses
-    origin          corner of the domain of the tiles, (x, y); "auto" cuts the outline BOX where the
-                    shortest edge of the cut is longest
     repeat          (columns, rows): the domains that a tile covers
     grain_order, grain_size, grain_per_edge, budget
                     as in pcvt.h
@@ -73,11 +78,6 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     max_iterations=0: shape (n,), lengths squared, such as radii ** 2
     aspect          R or (R, degrees): cells R times as long along degrees from x as across, 0.01 to
                     100
-    phases          each cell gets a phase: {name: fraction of the area}, or "NAME:FRACTION,...", with the
-                    sum 1; spread evenly, drawn from `seed`; or a list with the name of each site's phase.
-                    See Result.phases
-    orientations    each cell gets an orientation: shape (n, 3), Bunge's angles phi1, Phi, phi2 in
-                    degrees; or "random", drawn from `seed`. See Result.orientations
     symmetry        drawn sites have, and keep, the symmetry of a plane group: p1, p2, pm, pg, cm, pmm, pmg,
                     pgg, cmm, p4, p4m, p4g, p3, p3m1, p31m, p6 or p6m; sites counts those of one period
     walls           straight walls at 0 and at the period in place of periods: x (across x), y, xy, none
@@ -119,8 +119,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                  duplicates=choice("duplicates", duplicates, dimension=dimension),
                  start=choice("start", start, dimension=dimension),
                  solver=choice("solver", solver, dimension=dimension))
-    options.find_origin = isinstance(origin, str) and origin == "auto"
-    set_doubles(options, origin=(0, 0) if options.find_origin else origin, density_range=density_range,
+    set_origin(options, origin, dimension)
+    set_doubles(options, density_range=density_range,
                 **{"lattice" if dimension == 2 else "lattice3": vectors.ravel()})
     set_fields("mesh", options, fields)
     options.tolerance, options.grain_size = tolerance, grain_size

@@ -5,6 +5,7 @@ from ctypes import sizeof
 import numpy as np
 
 from . import _structs
+from ._cells import space_cell_table
 from ._calls import choice, set_fields, text, written
 from ._library import library
 from ._shown import count, one_line, outcome
@@ -15,6 +16,13 @@ class SpaceResult:
     """An optimised periodic tessellation of space. It never changes.
 
     sites       (n, 3), wrapped into the domain of the reduced period vectors, as .txt files hold them
+    phases      (n,), the index of each cell's phase in phase_names, or None without phases
+    phase_names in the order in which they were given
+    orientations
+                (n, 3), phi1, Phi, phi2 in degrees, or None without orientations
+    cells       (n,), the columns of .csv files as an array with the fields site, x, y, z, volume, diameter,
+                faces, sphericity, phase (an index into phase_names), phi1, Phi, phi2 and neighbours; fields
+                that do not apply are NaN, or -1 as a phase
     statistics  a Statistics; valences[k] cells have k faces, and the energy has the unit length^5. The first
                 use builds and proves the tile
     """
@@ -35,6 +43,25 @@ class SpaceResult:
     def sites(self):
         view = self._view()
         return self._handle.array(view.sites, np.float64, view.n_cells, 3)
+
+    @property
+    def phases(self):
+        view = self._view()
+        return self._handle.array(view.phases, np.int32, view.n_cells)
+
+    @property
+    def phase_names(self):
+        view = self._view()
+        return tuple(view.phase_names[k].decode() for k in range(view.n_phases))
+
+    @property
+    def orientations(self):
+        view = self._view()
+        return self._handle.array(view.orientations, np.float64, view.n_cells, 3)
+
+    @property
+    def cells(self):
+        return space_cell_table(self)
 
     @property
     def statistics(self):

@@ -30,13 +30,12 @@ CHOICES = {
 
 # Names of options, and of their fields in pcvt.h, that are for the plane only.
 PLANE_ONLY = {
-    "area_law", "areas", "aspect", "aspect_degrees", "background", "budget", "cells", "colour", "columns",
-    "coriolis", "cut", "cut_width", "density", "density_data", "density_range", "density_source", "element",
-    "fibres", "find_origin", "fixed", "fixed_sites", "float32", "glb_nodes", "gltf_nodes", "grain_order",
-    "grain_per_edge", "grain_size", "hole", "holes", "inclusions", "job", "material", "materials", "n_areas",
-    "n_fixed_sites", "n_orientations", "n_site_phases", "n_weights", "order", "orientations", "origin", "outline",
-    "per_edge", "phases", "pixels", "random_orientations", "repeat", "retry", "rows", "single_precision",
-    "site_phases", "size", "symmetry", "thickness", "voxel_layers", "voxels", "wall_cells", "walls", "weights",
+    "area_law", "areas", "aspect", "aspect_degrees", "background", "budget", "colour", "columns", "coriolis", "cut",
+    "cut_width", "density", "density_data", "density_range", "density_source", "element", "fibres", "fixed",
+    "fixed_sites", "float32", "glb_nodes", "gltf_nodes", "grain_order", "grain_per_edge", "grain_size", "hole",
+    "holes", "inclusions", "job", "material", "materials", "n_areas", "n_fixed_sites", "n_weights", "order",
+    "outline", "per_edge", "pixels", "repeat", "retry", "rows", "single_precision", "size", "symmetry", "thickness",
+    "voxel_layers", "voxels", "wall_cells", "walls", "weights",
 }
 
 # Fields of pcvt.h that state an option whose value is one number.

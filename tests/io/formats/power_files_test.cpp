@@ -29,8 +29,8 @@ bool holds_power_cells(const Format& format, const plane::Tile& tile, plane::Out
 
 std::vector<FileOptions> forms(const Format& format) {
     std::vector<FileOptions> forms{{}};
-    if (format.takes_gltf_nodes) forms.push_back({.gltf_nodes = GltfNodes::kOne});
-    if (format.takes_single_precision) forms.push_back({.single_precision = true});
+    if (format.takes.gltf_nodes) forms.push_back({.gltf_nodes = GltfNodes::kOne});
+    if (format.takes.single_precision) forms.push_back({.single_precision = true});
     return forms;
 }
 

@@ -6,6 +6,7 @@
 
 #include "io/bytes/bad_file.hpp"
 #include "io/run_files/cell_reader.hpp"
+#include "io/run_files/cell_writer.hpp"
 #include "mesher/plane/mesh/cell_measures.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 
@@ -50,6 +51,28 @@ TEST(CellRows, AreReadBack) {
                 reads_back("c.csv", encode_cells(rows), example_rows(weighted, !with_materials)));
         }
     }
+}
+
+TEST(CellRows, OfSpaceAreReadBack) {
+    CellRows rows{.sites = Eigen::MatrixXd::Random(3, 2), .cells = {}};
+    rows.cells.dimension = 3;
+    rows.cells.measure = {0.25, 0.75};
+    rows.cells.surface = {3, 5};
+    rows.cells.sides = {2, 2};
+    rows.cells.neighbour_begin = {0, 2, 4};
+    rows.cells.neighbours = {0, 1, 0, 1};
+    const std::string text = encode_cells(rows);
+    EXPECT_THAT(text,
+                ::testing::HasSubstr("\nsite,x,y,z,weight,volume,diameter,faces,sphericity,"));
+    EXPECT_TRUE(reads_back("c.csv", text, rows));
+    for (double* const number : {&rows.sites(2, 1), &rows.cells.measure[1]}) {
+        CellRows other = rows;
+        *number += 1e-15;
+        EXPECT_FALSE(reads_back("c.csv", text, rows));
+        rows = other;
+    }
+    rows.cells.dimension = 2;
+    EXPECT_THROW(reads_back("c.csv", text, rows), BadFile);
 }
 
 TEST(CellRows, TheHeadStatesTheUnits) {

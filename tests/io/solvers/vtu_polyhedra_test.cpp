@@ -3,6 +3,8 @@
 
 #include "io/solvers/vtu_volumes.hpp"
 #include "io/solvers/vtu_writer.hpp"
+#include "mesher/base/error.hpp"
+#include "mesher/cells/orientations.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "tests/support/damaged_text.hpp"
 #include "tests/support/space_tiles.hpp"
@@ -35,6 +37,33 @@ TEST(VtuPolyhedra, GivesBackPointsCellsPairsAndSites) {
         EXPECT_EQ(found.mesh.neighbour, tile.mesh.neighbour);
         EXPECT_EQ(found.sites, tile.sites);
     }
+}
+
+SpaceTile tile_with_materials() {
+    SpaceTile tile = testing::random_space_tile(6);
+    tile.materials = {.phase_names = {"a", "b"},
+                      .site_phase = {0, 1, 1, 0, 1, 0},
+                      .site_orientation = random_orientations(6, 1)};
+    return tile;
+}
+
+TEST(VtuPolyhedra, GivesBackPhasesAndOrientations) {
+    const SpaceTile tile = tile_with_materials();
+    EXPECT_EQ(prove_space_files({encoded_polyhedra(tile)}).tile.materials, tile.materials);
+    EXPECT_NO_THROW(prove_own_space_files({encoded_polyhedra(tile)}, tile));
+    SpaceTile other = tile;
+    other.materials.site_phase[2] = 0;
+    EXPECT_THROW(prove_own_space_files({encoded_polyhedra(other)}, tile), InternalError);
+    other = tile;
+    other.materials.site_orientation[3].Phi += 1e-9;
+    EXPECT_THROW(prove_own_space_files({encoded_polyhedra(other)}, tile), InternalError);
+}
+
+TEST(VtuPolyhedra, NamesLinesOfWrongMaterials) {
+    EncodedFile file = encoded_polyhedra(tile_with_materials());
+    file.bytes = testing::exchanged(file.bytes, "\n0\n1\n1\n0\n1\n0\n", "\n0\n1\n2\n0\n1\n0\n");
+    EXPECT_THAT(testing::fault_in([&] { decode_vtu_polyhedra(file); }),
+                HasSubstr("a site has a phase without a name"));
 }
 
 TEST(VtuPolyhedra, IsProvedFromItsBytes) {

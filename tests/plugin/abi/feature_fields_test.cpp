@@ -67,14 +67,12 @@ TEST(FeatureFields, ANumberThatIsUnsetLeavesTheDefault) {
     EXPECT_THROW(read_numbers(kOptionFields, options, job), InvalidInput);
 }
 
-TEST(FeatureFields, FeaturesOfBothDimensionsHaveNoFieldToRefuse) {
+TEST(FeatureFields, EachFeatureBelongsToADimension) {
     for (const FeatureRow& row : features()) {
         EXPECT_TRUE(row.in_plane || row.in_space) << row.option;
-        if (row.in_plane && row.in_space) {
-            EXPECT_EQ(row.fields, "") << row.option;
-            EXPECT_EQ(row.option, "");
-        }
     }
+    EXPECT_TRUE(find_option("--phases")->in_space);
+    EXPECT_FALSE(find_option("--walls")->in_space);
 }
 
 TEST(FeatureFields, AWordFindsItsRow) {

@@ -160,6 +160,7 @@ static void print_options(void) {
     FIELD(pcvt_options, site_phases);
     FIELD(pcvt_options, n_site_phases);
     FIELD(pcvt_options, reserved5);
+    FIELD(pcvt_options, origin_z);
 }
 
 static void print_sites(void) {
@@ -257,7 +258,10 @@ static void print_cells(void) {
     FIELD(pcvt_cells, n_inner_faces);
     FIELD(pcvt_cells, n_points);
     FIELD(pcvt_cells, n_face_points);
-    FIELD(pcvt_cells, reserved);
+    FIELD(pcvt_cells, n_phases);
+    FIELD(pcvt_cells, phases);
+    FIELD(pcvt_cells, phase_names);
+    FIELD(pcvt_cells, orientations);
 }
 
 static void print_statistics(void) {

@@ -74,7 +74,7 @@ Job some_job(std::uint64_t seed) {
     job.tile.repeat.columns = 1 + below(random, 3);
     job.tile.repeat.rows = 1 + below(random, 2);
     job.tile.order = 1 + below(random, 2);
-    job.tile.origin = {random_number(random) - 0.5, random_number(random) - 0.5};
+    job.in_plane().origin = {random_number(random) - 0.5, random_number(random) - 0.5};
     job.tile.outline = below(random, 2) == 0 ? plane::Outline::kBox : plane::Outline::kWhole;
     job.tile.finds_origin = job.tile.outline == plane::Outline::kBox && below(random, 2) == 0;
     job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kGrains};
@@ -167,7 +167,7 @@ TEST(JobAreas, EdgesBendAtCornersOfTheBoxOnly) {
     job.run.max_iterations = 4;
     job.aspect = Aspect{.ratio = 3.0534802623573647, .degrees = 171.91731786629538};
     job.tile.repeat.columns = job.tile.repeat.rows = 2;
-    job.tile.origin = {0.05031412278732561, 0.035091504123978545};
+    job.in_plane().origin = {0.05031412278732561, 0.035091504123978545};
     job.tile.outline = plane::Outline::kBox;
     job.meshes = {plane::MeshKind::kGrains};
     const JobCallback silent;
@@ -256,8 +256,8 @@ TEST(JobAreas, SitesOfAFileKeepTheirNumbersAndPlaces) {
     job.aspect = Aspect{.ratio = 2, .degrees = 30};
     job.run.max_iterations = 0;
     const Computation<PlaneWorld> computed = compute_job<PlaneWorld>(job, {}).value();
-    const plane::Points sites = wrapped_sites(computed.cells, job.tile.origin);
-    const plane::Domain domain(job.in_plane().lattice, job.tile.origin);
+    const plane::Points sites = wrapped_sites(computed.cells, job.in_plane().origin);
+    const plane::Domain domain(job.in_plane().lattice, job.in_plane().origin);
     for (int s = 0; s < 50; ++s) {
         const plane::Vec2 p = job.in_plane().points.col(s);
         const plane::Vec2 inside = p + job.in_plane().lattice.translation(domain.offset_into(p));
@@ -273,7 +273,7 @@ TEST(JobAreas, SortedAreasOfAFileLieAtRandom) {
     job.areas = TargetSizes{.given = Eigen::VectorXd::LinSpaced(400, 1, 9), .name = "areas.txt"};
     job.run.max_iterations = 0;
     const plane::Points sites =
-        wrapped_sites(compute_job<PlaneWorld>(job, {}).value().cells, job.tile.origin);
+        wrapped_sites(compute_job<PlaneWorld>(job, {}).value().cells, job.in_plane().origin);
     // The correlation of x with the number of the site.
     double sum = 0;
     for (int s = 0; s < 400; ++s) sum += (sites(0, s) - 0.5) * (s - 199.5);
@@ -347,7 +347,7 @@ TEST(JobAreas, SitesOfTheReportsAreThoseOfTheFiles) {
     job.aspect = Aspect{.ratio = 3, .degrees = 110};
     job.areas = TargetSizes{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
     job.run.max_iterations = 1;
-    job.tile.origin = {3, -2};
+    job.in_plane().origin = {3, -2};
     job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kGrains};
     job.outputs = {folder / "t.svg", folder / "t.txt", folder / "t.csv"};
     job.report = folder / "r.json";
@@ -355,7 +355,7 @@ TEST(JobAreas, SitesOfTheReportsAreThoseOfTheFiles) {
     EXPECT_LT(summary.areas->newton.largest_relative_error, 1e-10);
     const plane::Points sites = read_sites<2>({.path = folder / "t.txt"}).points;
     const Computation<PlaneWorld> computed = compute_job<PlaneWorld>(job, {}).value();
-    EXPECT_EQ(sites, wrapped_sites(computed.cells, job.tile.origin));
+    EXPECT_EQ(sites, wrapped_sites(computed.cells, job.in_plane().origin));
 }
 
 }  // namespace

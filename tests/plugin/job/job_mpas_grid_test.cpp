@@ -22,7 +22,7 @@ MpasGrid written_grid(const std::optional<plane::Density>& density, int columns)
     job.run.max_iterations = 0;
     job.density = density;
     job.tile.repeat.columns = columns;
-    job.tile.origin = {5, -3};
+    job.in_plane().origin = {5, -3};
     job.outputs = {folder / "t.nc"};
     run_job(job, {});
     return decode_mpas(job.outputs[0], testing::bytes_of(job.outputs[0]));

@@ -114,7 +114,7 @@ Job job_with(const Features& features) {
         job.tile.repeat.rows = features.is_walled(1) ? 1 : 2;
     }
     if (features.has_origin) {
-        job.tile.origin = {features.is_walled(0) ? 0 : 0.3, features.is_walled(1) ? 0 : -7.7};
+        job.in_plane().origin = {features.is_walled(0) ? 0 : 0.3, features.is_walled(1) ? 0 : -7.7};
     }
     job.tile.outline = features.outline;
     job.tile.short_edges = features.short_edges;

@@ -195,10 +195,9 @@ class Mesh(CliTest):
     def test_arguments_for_the_plane_are_refused_by_name_at_once(self):
         shapes = (("circle", "a", 0.5, 0.5, 0.1), ("polygon", "b", ((0, 0), (0.1, 0), (0, 0.1))))
         for name, value in (("density", "1 + x"), ("density", lambda x, y: 1), ("density_range", (1, 2)),
-                            ("origin", (1, 0)), ("origin", "auto"), ("repeat", (2, 1)), ("grain_order", 2),
+                            ("repeat", (2, 1)), ("grain_order", 2),
                             ("grain_size", 0.1), ("grain_per_edge", 2), ("budget", 9), ("areas", "equal"),
-                            ("areas", np.ones(9)), ("aspect", 2), ("aspect", (2, 30)), ("phases", {"a": 1}),
-                            ("orientations", "random"), ("orientations", np.zeros((9, 3))), ("symmetry", "p2"),
+                            ("areas", np.ones(9)), ("aspect", 2), ("aspect", (2, 30)), ("symmetry", "p2"),
                             ("walls", "x"), ("wall_cells", "half"), ("fixed", ((0, 0),)), ("inclusions", shapes),
                             ("fibres", (0.2, 3)), ("holes", ["a"])):
             with self.subTest(name), self.assertRaisesRegex(
@@ -249,8 +248,52 @@ class Refusals(CliTest):
 
     def test_formats_without_volumes(self):
         result = pcvt.space(3)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "inp does not support three dimensions; take .obj, .ply, .glb, .om, .msh, .vtu, .svg, .png, .foam or .txt"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "inp does not support three dimensions; take .obj, .ply, .glb, .om, .msh, .vtu, .svg, .png, .foam, .csv or .txt"):
             result.write(self.path("t.inp"))
+
+
+class Materials(CliTest):
+    def test_phases_orientations_and_the_table(self):
+        result = pcvt.mesh(40, OBLIQUE, phases={"a": 0.25, "b": 0.75}, orientations="random", origin=(5, -1, 2))
+        cells = result.cells
+        self.assertEqual(result.phase_names, ("a", "b"))
+        np.testing.assert_array_equal(cells["phase"], result.phases)
+        np.testing.assert_array_equal(np.stack([cells[name] for name in ("phi1", "Phi", "phi2")], axis=1),
+                                      result.orientations)
+        self.assertAlmostEqual(cells["volume"][cells["phase"] == 0].sum() / 0.729, 0.25, delta=0.02)
+        at = (result.sites - (5, -1, 2)) @ np.linalg.inv(OBLIQUE)
+        self.assertLess(np.ptp(at, axis=0).max(), 2.5)
+        result.write(self.path("t.csv"))
+        result.write(self.path("t.vtu"))
+        self.succeed("check", "t.vtu")
+        with open(self.path("t.csv"), encoding="utf-8") as file:
+            rows = [line.rstrip("\n").split(",") for line in file if not line.startswith("#")]
+        names = rows[0]
+        for cell, row in zip(cells, rows[1:], strict=True):
+            of = dict(zip(names, row))
+            self.assertEqual([int(of["site"]), int(of["faces"])], [cell["site"], cell["faces"]])
+            for name in ("x", "y", "z", "phi1", "Phi", "phi2"):
+                self.assertEqual(float(of[name]), cell[name])
+            for name in ("volume", "diameter", "sphericity"):
+                self.assertAlmostEqual(float(of[name]) / cell[name], 1, delta=1e-10)
+            self.assertEqual(of["phase"], result.phase_names[cell["phase"]])
+            self.assertEqual([int(word) for word in of["neighbours"].split()], cell["neighbours"].tolist())
+
+    def test_an_origin_has_three_numbers(self):
+        for origin in ((1, 0), (1, 2, 3, 4), "auto"):
+            with self.subTest(origin), self.assertRaisesRegex(pcvt.ArgumentError, "^origin"):
+                pcvt.mesh(9, period=(1, 1, 1), origin=origin)
+
+    def test_cells_without_materials(self):
+        result = pcvt.mesh(2, period=(1, 1, 1), start="lattice")
+        self.assertIsNone(result.phases)
+        self.assertIsNone(result.orientations)
+        self.assertEqual(result.phase_names, ())
+        self.assertTrue((result.cells["phase"] == -1).all() and np.isnan(result.cells["Phi"]).all())
+        self.assertEqual(result.cells["faces"].tolist(), [14, 14])
+        np.testing.assert_allclose(result.cells["sphericity"], 0.9099177, rtol=1e-6)
+        phased = pcvt.mesh(3, period=(1, 1, 1), phases=["x", "y", "x"])
+        self.assertEqual([phased.phase_names[k] for k in phased.phases], ["x", "y", "x"])
 
 
 if __name__ == "__main__":

@@ -79,7 +79,7 @@ TEST(AreaCvt, FiveStepsGiveTheCircularityOfGrains) {
             unit, uniform_points(unit, 1000, seed), {.areas = areas, .run = {.max_iterations = 5}});
         const CellTable cells = cell_table(cell_mesh(result.delaunay));
         double sum = 0;
-        for (SiteId s = 0; s < 1000; ++s) sum += 1 - cells.circularity(s);
+        for (SiteId s = 0; s < 1000; ++s) sum += 1 - cells.roundness(s);
         EXPECT_GT(sum / 1000, 0.095);
         EXPECT_LT(sum / 1000, 0.105);
     }

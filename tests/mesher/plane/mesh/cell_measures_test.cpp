@@ -52,7 +52,7 @@ TEST(CellTable, Law3NeighboursAreThoseOfTheDelaunayTriangulation) {
 TEST(CellTable, AHexagonHasItsCircularity) {
     const CellTable cells = table_of(Lattice({1, 0}, {0.5, std::sqrt(0.75)}), 1);
     EXPECT_EQ(cells.sides[0], 6);
-    EXPECT_NEAR(cells.circularity(0), 0.9523128, 1e-6);
+    EXPECT_NEAR(cells.roundness(0), 0.9523128, 1e-6);
     EXPECT_NEAR(cells.equivalent_diameter(0), 2 * std::sqrt(std::sqrt(0.75) / M_PI), 1e-12);
 }
 
