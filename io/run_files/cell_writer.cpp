@@ -6,9 +6,10 @@
 namespace pcvt {
 namespace {
 
+constexpr const char* kVoronoiCells = "# The Voronoi cells";
+constexpr const char* kPowerCells = "# The power cells (Laguerre cells)";
 constexpr const char* kHead =
-    "# The Voronoi cells of one period, written by pcvt; lengths in the unit of the period "
-    "vectors\n"
+    " of one period, written by pcvt; lengths in the unit of the period vectors\n"
     "# diameter = 2 sqrt(area / pi); circularity = 2 sqrt(pi area) / perimeter\n"
     "# sides, neighbours: edges longer than 1e-5 sqrt(mean area), counter-clockwise\n"
     "# weight: length squared; phi1, Phi, phi2: Bunge's angles in degrees\n";
@@ -18,7 +19,9 @@ constexpr const char* kHead =
 std::string encode_cells(const CellRows& rows) {
     const CellTable& cells = rows.cells;
     const CellMaterials& materials = rows.materials;
-    std::string text = std::string(kHead) + kCellHeader + '\n';
+    const bool have_weights = rows.weights.size() > 0;
+    std::string text = have_weights ? kPowerCells : kVoronoiCells;
+    text += std::string(kHead) + kCellHeader + '\n';
     const auto append = [&text](auto number, const char* separator = ",") {
         append_number(text, number);
         text += separator;
@@ -28,7 +31,7 @@ std::string encode_cells(const CellRows& rows) {
         append(s);
         append(rows.sites(0, s));
         append(rows.sites(1, s));
-        if (rows.weights.size() > 0) append_number(text, rows.weights[s]);
+        if (have_weights) append_number(text, rows.weights[s]);
         text += ',';
         append(cells.measure[s]);
         append(cells.equivalent_diameter(s));

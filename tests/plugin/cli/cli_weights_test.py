@@ -132,6 +132,7 @@ class Weights(TableTest):
         self.write("m.csv", CIRCLES.replace("R (um)", "size"))
         for k, name in enumerate(("s.csv", "s.csv:R", "diameter:d.txt", "w.txt", "weight:w.txt", "radius:m.csv:size")):
             self.succeed(*self.run_fixed, "--weights", name, "--cells", f"c{k}.csv")
+            self.assertIn("# The power cells (Laguerre cells) of one period", self.path(f"c{k}.csv").read_text())
             for row, radius in zip(self.table(f"c{k}.csv"), (0.20, 0.28, 0.25, 0.15), strict=True):
                 self.assertAlmostEqual(float(row["weight"]), radius ** 2, delta=1e-16)
         self.assertEqual(self.path("c0.csv").read_bytes(), self.path("c1.csv").read_bytes())
