@@ -210,7 +210,7 @@ RunSummary run_in(Domain& domain, Job& job, const MeshOptions& options) {
     if (options.input.empty()) {
         read_area_file(job);
         const SiteFileOf<kDimension> fixed{parse_table_name(options.cells.fixed).path, domain.fixed,
-                                           job.lines};
+                                           job.lines, job.site_unit};
         return domain.fixed.cols() > 0 ? run_distinct(job, fixed, options.quiet)
                                        : run_watched(job, options.quiet);
     }
@@ -219,6 +219,7 @@ RunSummary run_in(Domain& domain, Job& job, const MeshOptions& options) {
     const SiteFileOf<kDimension>& file = table.sites;
     domain.points = file.points;
     job.lines = file.lines;
+    job.site_unit = file.unit;
     take_columns(table, options.input, job);
     read_area_file(job);
     read_weight_file(options.cells, job);
