@@ -82,8 +82,7 @@ TEST(InclusionReader, SeparatorsAreThoseOfTables) {
           "circle steel 0.5,0.25,0.125", "circle , steel , 0.5 , 0.25 , 0.125",
           "circle;steel;0.5;0.25;0.125", "circle;steel;0,5;0,25;0,125",
           "circle\tsteel\t0,5\t0,25\t0,125",
-          "\xEF\xBB\xBF"
-          "Circle;\"steel\";\"0,5\";0,25;0,125;;;\r\n",
+          "\357\273\277Circle;\"steel\";\"0,5\";0,25;0,125;;;\r\n",
           "sep=;\nCIRCLE;steel;0,5;0,25;0,125\n", "\"circle\",\"steel\",\"0.5\",\"0.25\",\"0.125\"",
           "circle steel 0.5 0.25 0.125,", "shape;tag;x;y;r\ncircle;steel;0,5;0,25;0,125\n",
           "# a\nshape,tag,x,y,r\n\ncircle,steel,0.5,0.25,0.125\n"}) {
