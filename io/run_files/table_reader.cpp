@@ -125,13 +125,18 @@ std::vector<std::size_t> TableScanner::choose(const std::vector<std::string>& co
 
 bool TableScanner::next() {
     checkpoint();
-    if (!lines_.next()) {
+    const auto is_empty = [](std::string_view field) { return field.empty(); };
+    bool is_row = true;
+    do {
+        is_row = lines_.next();
+        if (is_row) split_fields(lines_.content(), separator_, fields_);
+    } while (is_row && std::all_of(fields_.begin(), fields_.end(), is_empty));
+    if (!is_row) {
         if (unclear_line_ == 0 || has_clear_comma_) return false;
         lines_.refuse(unclear_line_,
                       "the comma may be a decimal mark or stand between thousands; write a decimal "
                       "point, or no separators of thousands");
     }
-    split_fields(lines_.content(), separator_, fields_);
     const bool ends_empty = fields_.size() > 1 && fields_.back().empty();
     if (ends_empty && (!requires_width_ || fields_.size() == n_columns_ + 1)) fields_.pop_back();
     if (requires_width_ && fields_.size() != n_columns_) refuse_width();

@@ -52,7 +52,8 @@ class TableScanner {
     /// @throws BadFile for any other text.
     std::vector<std::size_t> choose(const std::vector<std::string>& columns);
 
-    /// Advances to the next row; returns false at the end of the table.
+    /// Advances to the next row whose fields are not all empty, as spreadsheets write them below a
+    /// table; returns false at the end of the table.
     /// @throws BadFile for a row with too few or too many fields.
     bool next();
     /// The line of the current row, counted from 1.

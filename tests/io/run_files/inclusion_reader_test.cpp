@@ -91,6 +91,9 @@ TEST(InclusionReader, SeparatorsAreThoseOfTables) {
     const InclusionFile file = parse_inclusions(
         "i.csv", "shape;tag;x;y;r;;;\r\ncircle;a;0,5;0,5;0,2;;;\r\npolygon;b;0;0;0,5;0;0;0,5\r\n");
     EXPECT_EQ(file.inclusions[0].line, 2);
+    EXPECT_EQ(
+        parse_inclusions("i.csv", "circle;a;0;0;1\n;;;;\ncircle;a;2;2;1\n;\n").inclusions[1].line,
+        3);
     EXPECT_THAT(std::get<plane::Polygon>(file.inclusions[1].shape),
                 ElementsAre(plane::Vec2(0, 0), plane::Vec2(0.5, 0), plane::Vec2(0, 0.5)));
     EXPECT_THAT(std::get<plane::Polygon>(
