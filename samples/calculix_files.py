@@ -1,5 +1,7 @@
 """Jobs of CalculiX, and the tables that it prints into .dat files, for the samples beside this file."""
 
+import math
+import os
 import re
 
 from tile_picture import BadFile, text_of
@@ -7,6 +9,10 @@ from tile_picture import BadFile, text_of
 RUN_AGAIN = "run ccx again"
 # Files that are included in each other.
 MOST_INCLUDED = 20
+# CalculiX prints volumes in 7 digits; the area of a small element far from the origin loses some of them.
+VOLUME_ERROR = 1e-3
+# A copy of a folder may give the job a later time than its results, seconds.
+LATEST_COPY = 2
 
 
 def job_lines(path, remedy, above=()):
@@ -41,3 +47,33 @@ def tables_of(path, titles, remedy):
         elif line.strip() and rows is not None:
             rows.append((f"{path}:{k}", line.split()))
     return {title: list(by_time.values()) for title, by_time in tables.items()}
+
+
+def included_files(path, remedy):
+    """Returns a job and the files that it *INCLUDEs."""
+    names = {place.rpartition(":")[0] for place, _ in job_lines(path, remedy)}
+    return [path, *sorted(names - {str(path)})]
+
+
+def require_volumes(data, volumes, job, areas):
+    """Refuses the volumes of elements that ccx printed for another mesh than that of the job, a layer of thickness 1.
+
+    Both are by element; elements that only one of them has do not count.
+    """
+    mean = sum(areas.values()) / max(len(areas), 1)
+    for element, area in areas.items():
+        volume = volumes.get(element, area)
+        if not math.isclose(volume, area, rel_tol=VOLUME_ERROR, abs_tol=VOLUME_ERROR * VOLUME_ERROR * mean):
+            raise BadFile(data, f"element {element} has the volume {volume:.7g}, and in {job} {area:.7g}, so ccx ran on "
+                                "another mesh", f"run ccx {job.stem} again")
+
+
+def require_newer(data, job, files):
+    """Refuses results that are older than a file of the job."""
+    for path in files:
+        if os.path.getmtime(data) < os.path.getmtime(path) - LATEST_COPY:
+            raise BadFile(data, f"it is older than {path}", f"run ccx {job.stem} again, or if the job is the same touch {data}")
+
+
+def triangle_area(a, b, c):
+    return ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2

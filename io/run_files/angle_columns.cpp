@@ -110,11 +110,12 @@ Columns only_triple(const TableScanner& scanner, const TableName& name) {
     if (triples.size() == 1) return triples.front();
     if (triples.empty()) {
         scanner.refuse_header("the header has no columns phi1, Phi and phi2; name the columns, " +
-                              with_columns(name, name.prefix, "COLUMN,COLUMN,COLUMN"));
+                              with_columns(name, name.prefix, "COLUMN,COLUMN,COLUMN") + ", of " +
+                              scanner.listed_columns());
     }
     std::string columns;
     for (const std::size_t k : triples.front()) {
-        columns += (columns.empty() ? "" : ",") + scanner.header()[k].name;
+        columns += (columns.empty() ? "" : ",") + scanner.typed(k);
     }
     scanner.refuse_header(
         "both " + scanner.label(triples[0][0]) + " and " + scanner.label(triples[1][0]) +

@@ -6,15 +6,16 @@
 namespace pcvt {
 namespace {
 
-constexpr const char* kHead =
-    "# The Voronoi cells of one period, written by pcvt; lengths in the unit of the period "
-    "vectors\n"
+constexpr const char* kVoronoiCells = "# The Voronoi cells";
+constexpr const char* kPowerCells = "# The power cells (Laguerre cells)";
+constexpr const char* kPlaneHead =
+    " of one period, written by pcvt; lengths in the unit of the period vectors\n"
     "# diameter = 2 sqrt(area / pi); circularity = 2 sqrt(pi area) / perimeter\n"
     "# sides, neighbours: edges longer than 1e-5 sqrt(mean area), counter-clockwise\n"
     "# weight: length squared; phi1, Phi, phi2: Bunge's angles in degrees\n";
 
 constexpr const char* kSpaceHead =
-    "# The cells of one period, written by pcvt; lengths in the unit of the period vectors\n"
+    " of one period, written by pcvt; lengths in the unit of the period vectors\n"
     "# diameter = (6 volume / pi)^(1/3); sphericity = pi^(1/3) (6 volume)^(2/3) / surface\n"
     "# neighbours: the sites across the faces, in rising order\n"
     "# weight: length squared; phi1, Phi, phi2: Bunge's angles in degrees\n";
@@ -54,8 +55,8 @@ class FieldWriter {
 
 std::string encode_cells(const CellRows& rows) {
     const int dimension = rows.cells.dimension;
-    std::string text =
-        std::string(dimension == 3 ? kSpaceHead : kHead) + cell_header(dimension) + '\n';
+    std::string text = rows.weights.size() > 0 ? kPowerCells : kVoronoiCells;
+    text += std::string(dimension == 3 ? kSpaceHead : kPlaneHead) + cell_header(dimension) + '\n';
     for (SiteId s = 0; s < rows.cells.n_cells(); ++s) {
         checkpoint_each(s);
         FieldWriter fields(text);

@@ -33,8 +33,9 @@ struct InclusionFile {
 ///   ellipse TAG x y a b degrees       the axis of a is turned by `degrees` from x to y
 ///   polygon TAG x1 y1 x2 y2 x3 y3 ...
 ///
-/// A tag consists of letters, digits, _ and -, and is not `matrix`. Accepts blank lines, comments
-/// after a #, CRLF, a byte order mark and tabs.
+/// Blanks, commas, semicolons or tabs separate the words; between semicolons or tabs numbers may
+/// have decimal commas. A tag consists of letters, digits, _ and -, and is not `matrix`. Accepts
+/// a header, quotes round words, blank lines, comments after a #, CRLF and a byte order mark.
 /// @throws BadFile with the line for any other text, and for a text without an inclusion.
 InclusionFile parse_inclusions(const std::string& name, std::string_view text);
 

@@ -27,9 +27,7 @@ std::size_t phase_column(TableScanner& scanner, const TableName& name) {
     if (scanner.n_columns() == 1) return 0;
     if (const auto found = find_phase_column(scanner)) return *found;
     scanner.refuse_header("the table has several columns; name that of the phases, such as " +
-                          with_columns(name, "",
-                                       scanner.has_header() ? scanner.header().back().name
-                                                            : std::to_string(scanner.n_columns())));
+                          with_columns(name, "", scanner.typed(scanner.n_columns() - 1)));
 }
 
 /// Whether the first word is a phase: a single column of words begins with a header only if that

@@ -35,6 +35,36 @@ using Site = Eigen::Matrix<double, Dimension, 1>;
 template <int Dimension>
 using Columns = std::array<std::size_t, Dimension>;
 
+/// The only column whose name begins or ends with a letter, such as "Centroid x" or "Xc".
+std::optional<std::size_t> column_with_letter(const TableScanner& scanner, char letter) {
+    std::optional<std::size_t> found;
+    for (std::size_t k = 0; k < scanner.n_columns(); ++k) {
+        const std::string column = comparable_name(scanner.header()[k].name);
+        if (!column.starts_with(letter) && !column.ends_with(letter)) continue;
+        if (found) return std::nullopt;
+        found = k;
+    }
+    return found;
+}
+
+/// Refuses a header without columns x, y and z; names those that may hold the coordinates.
+template <int Dimension>
+[[noreturn]] void refuse_no_coordinates(const TableScanner& scanner, const TableName& name,
+                                        const std::string& missing) {
+    std::string columns;
+    for (const char letter : std::string_view("xyz").substr(0, Dimension)) {
+        const std::optional<std::size_t> found = column_with_letter(scanner, letter);
+        if (!found) {
+            columns = Words<Dimension>::kColumns;
+            break;
+        }
+        columns += (columns.empty() ? "" : ",") + scanner.typed(*found);
+    }
+    scanner.refuse_header("the header has no column " + missing +
+                          "; name the columns of the coordinates, " +
+                          with_columns(name, "", columns) + ", of " + scanner.listed_columns());
+}
+
 /// Returns the columns x, y and z of a header.
 template <int Dimension>
 Columns<Dimension> coordinate_columns(const TableScanner& scanner, const TableName& name) {
@@ -42,15 +72,7 @@ Columns<Dimension> coordinate_columns(const TableScanner& scanner, const TableNa
     Columns<Dimension> columns{};
     for (std::size_t k = 0; k < Dimension; ++k) {
         const std::optional<std::size_t> found = scanner.find(kNames[k]);
-        if (!found) {
-            scanner.refuse_header("the header has no column " + std::string(kNames[k]) +
-                                  "; name the columns of the coordinates, " +
-                                  with_columns(name, "", Words<Dimension>::kColumns));
-        }
-        if (scanner.header()[*found].unit != scanner.header()[columns[0]].unit && k > 0) {
-            scanner.refuse_header("columns x and " + std::string(kNames[k]) +
-                                  " do not have the same unit; state one for all coordinates");
-        }
+        if (!found) refuse_no_coordinates<Dimension>(scanner, name, kNames[k]);
         columns[k] = *found;
     }
     if (Dimension == 2 && scanner.find("z")) {
@@ -59,6 +81,21 @@ Columns<Dimension> coordinate_columns(const TableScanner& scanner, const TableNa
             with_columns(name, "", Words<Dimension>::kColumns));
     }
     return columns;
+}
+
+/// Returns the unit that the header states for all coordinates; empty without one.
+template <int Dimension>
+std::string coordinate_unit(const TableScanner& scanner, const Columns<Dimension>& columns) {
+    if (!scanner.has_header()) return {};
+    const TableColumn& first = scanner.header()[columns[0]];
+    for (const std::size_t column : columns) {
+        const TableColumn& other = scanner.header()[column];
+        if (other.unit == first.unit) continue;
+        scanner.refuse_header("columns " + comparable_name(first.name) + " and " +
+                              comparable_name(other.name) +
+                              " do not have the same unit; state one for all coordinates");
+    }
+    return first.unit;
 }
 
 /// Returns the columns of the coordinates; nothing if a row consists of them.
@@ -94,19 +131,25 @@ Site<Dimension> parse_row(TableScanner& scanner) {
         const bool is_of_space = Dimension == 2 && n == 3;
         scanner.refuse(std::string(Words<Dimension>::kSite) + ", this line has " +
                        std::to_string(n) + "; write " + Words<Dimension>::kForm +
-                       (is_of_space ? ", or give three periods" : ""));
+                       (is_of_space ? ", or give three periods" : "") +
+                       (n > Dimension ? std::string(", or name the columns, ") + scanner.name() +
+                                            (Dimension == 2 ? ":1,2" : ":1,2,3")
+                                      : ""));
     }
     return site;
 }
 
 /// Calls visit(site, its line) for each site until it returns false; returns whether it never did.
+/// Sets the unit of the coordinates before.
 template <int Dimension, class Visit>
-bool for_each_site(const TableName& name, std::string_view text, const Visit& visit) {
+bool for_each_site(const TableName& name, std::string_view text, std::string& unit,
+                   const Visit& visit) {
     const std::string file = name.path == "-" ? "standard input" : name.path;
     refuse_binary(file, text,
                   std::string("give a text with ") + Words<Dimension>::kForm + " a line");
     TableScanner scanner(file, text);
     const std::optional<Columns<Dimension>> columns = site_columns<Dimension>(scanner, name);
+    unit = columns ? coordinate_unit<Dimension>(scanner, *columns) : "";
     while (scanner.next()) {
         Site<Dimension> site;
         if (columns) {
@@ -124,8 +167,9 @@ template <int Dimension>
 bool are_read_back(const std::string& name, std::string_view text,
                    const Eigen::Matrix<double, Dimension, Eigen::Dynamic>& sites) {
     Eigen::Index n = 0;
+    std::string unit;
     const bool same = for_each_site<Dimension>(
-        {.path = name}, text, [&](const Site<Dimension>& site, int /*line*/) {
+        {.path = name}, text, unit, [&](const Site<Dimension>& site, int /*line*/) {
             return n < sites.cols() && site == sites.col(n++);
         });
     return same && n == sites.cols();
@@ -156,9 +200,9 @@ BadFile with_lines(const SiteFileOf<Dimension>& file, const DuplicateSites& dupl
 
 template <int Dimension>
 SiteFileOf<Dimension> parse_sites(const TableName& name, std::string_view text) {
-    SiteFileOf<Dimension> file{name.path == "-" ? "standard input" : name.path, {}, {}};
+    SiteFileOf<Dimension> file{name.path == "-" ? "standard input" : name.path, {}, {}, {}};
     std::vector<Site<Dimension>> sites;
-    for_each_site<Dimension>(name, text, [&](const Site<Dimension>& site, int line) {
+    for_each_site<Dimension>(name, text, file.unit, [&](const Site<Dimension>& site, int line) {
         sites.push_back(site);
         file.lines.push_back(line);
         return true;

@@ -23,6 +23,8 @@ struct SiteFileOf {
     Eigen::Matrix<double, Dimension, Eigen::Dynamic> points;
     /// The line of each site, counted from 1.
     std::vector<int> lines;
+    /// The unit of the coordinates that the header states, such as um; empty without one.
+    std::string unit = {};
 };
 using SiteFile = SiteFileOf<2>;
 using SpaceSiteFile = SiteFileOf<3>;

@@ -64,6 +64,61 @@ std::optional<SizeKind> hinted_size(std::string_view column) {
     return found;
 }
 
+/// Parts of names in other languages. They only make suggestions, which a user confirms.
+struct ForeignSize {
+    std::string_view begin;
+    std::string_view later;
+    const char* prefix;
+};
+constexpr std::array kForeignSizes{
+    ForeignSize{"durchm", "", "diameter"},   ForeignSize{"di", "metr", "diameter"},
+    ForeignSize{"diam", "", "diameter"},     ForeignSize{"fl", "che", "area"},
+    ForeignSize{"aire", "", "area"},         ForeignSize{"superfic", "", "area"},
+    ForeignSize{"rea", "", "area"},          ForeignSize{"radius", "", "radius"},
+    ForeignSize{"halbmesser", "", "radius"}, ForeignSize{"rayon", "", "radius"},
+    ForeignSize{"raggio", "", "radius"},     ForeignSize{"radio", "", "radius"}};
+
+/// The prefix of a column that states its size, or that may do so in another language; empty for
+/// others.
+std::string suggested_prefix(std::string_view column) {
+    if (const std::optional<SizeKind> stated = stated_size(column)) {
+        return *stated == SizeKind::kVolume ? "" : std::string(size_words(*stated).prefix);
+    }
+    const std::string name = comparable_name(column);
+    for (const ForeignSize& size : kForeignSizes) {
+        const std::size_t begin = name.find(size.begin);
+        if (begin == std::string::npos) continue;
+        if (name.find(size.later, begin + size.begin.size()) != std::string::npos) {
+            return size.prefix;
+        }
+    }
+    return {};
+}
+
+/// The options that a user may paste for the columns that seem to hold sizes; else for the last one
+/// as either size.
+/// @param has_volumes  whether a column holds volumes, which may be the last one.
+std::string suggested_options(const TableScanner& scanner, const TableName& name,
+                              bool has_volumes) {
+    std::string text;
+    const auto append = [&](const std::string& prefix, std::size_t column) {
+        text += (text.empty() ? "--areas " : " or --areas ") +
+                with_columns(name, prefix, scanner.typed(column));
+    };
+    for (std::size_t k = 0; k < scanner.n_columns(); ++k) {
+        const std::string prefix = suggested_prefix(scanner.header()[k].name);
+        if (!prefix.empty()) append(prefix, k);
+    }
+    if (!text.empty()) return text;
+    if (has_volumes) {
+        return "--areas " + with_columns(name, "area", "COLUMN") + " or --areas " +
+               with_columns(name, "diameter", "COLUMN");
+    }
+    append("area", scanner.n_columns() - 1);
+    append("diameter", scanner.n_columns() - 1);
+    return text;
+}
+
 std::optional<SizeKind> prefix_size(const std::string& prefix) {
     for (const SizeWords& words : kSizes) {
         if (words.prefix == prefix) return words.kind;
@@ -85,15 +140,15 @@ std::size_t only_candidate(const TableScanner& scanner, const TableName& name,
     if (found.size() == 1) return found.front();
     if (found.empty() && scanner.n_columns() == 1) return 0;
     if (found.size() > 1) {
-        const std::string& first = scanner.header()[found[0]].name;
+        const std::string first = scanner.typed(found[0]);
         scanner.refuse_header("both " + scanner.label(found[0]) + " and " +
                               scanner.label(found[1]) + " hold sizes; name one, such as " +
                               with_columns(name, name.prefix, first));
     }
     scanner.refuse_header(std::string(has_volumes ? "cells in the plane have areas, not volumes"
                                                   : "no column is called area or diameter") +
-                          "; name the column of sizes, " + with_columns(name, "area", "COLUMN") +
-                          " or " + with_columns(name, "diameter", "COLUMN"));
+                          "; name the column of sizes of " + scanner.listed_columns() + ": " +
+                          suggested_options(scanner, name, has_volumes));
 }
 
 /// The column that the name of the table gives; else with a header the only candidate, without one
@@ -107,9 +162,9 @@ std::size_t chosen_column(TableScanner& scanner, const TableName& name,
 [[noreturn]] void refuse_unstated(const TableScanner& scanner, const TableName& name,
                                   std::size_t column) {
     const std::string text = name.columns.empty() ? "" : name.columns.front();
-    scanner.refuse_header(scanner.label(column) + " may hold areas or diameters; write " +
-                          with_columns(name, "area", text) + " or " +
-                          with_columns(name, "diameter", text));
+    scanner.refuse_header(scanner.label(column) + " may hold areas or diameters; write --areas " +
+                          with_columns(name, "area", text) + " or --areas " +
+                          with_columns(name, "diameter", text) + scanner.title_remedy());
 }
 
 }  // namespace

@@ -58,6 +58,8 @@ bool is_meant_as_number(std::string_view field) {
     if (spells_no_finite_number(field)) return true;
     std::string digits(field);
     std::replace(digits.begin(), digits.end(), ',', '.');
+    // Fortran writes 0.5D+02.
+    std::replace(digits.begin(), digits.end(), 'D', 'e');
     if (digits.starts_with('+')) digits.erase(0, 1);
     double value = 0;
     const char* const end = digits.data() + digits.size();

@@ -21,12 +21,6 @@ std::string_view trimmed(std::string_view text, const CharSet& blanks) {
     return text;
 }
 
-std::string_view without_quotes(std::string_view field) {
-    field = trimmed(field, kFieldBlanks);
-    if (field.size() < 2 || field.front() != '"' || field.back() != '"') return field;
-    return trimmed(field.substr(1, field.size() - 2), kFieldBlanks);
-}
-
 bool is_between_digits(std::string_view text, std::size_t k) {
     const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
     return k > 0 && k + 1 < text.size() && is_digit(text[k - 1]) && is_digit(text[k + 1]);
@@ -144,6 +138,12 @@ const char* separator_name(Separator separator) {
             break;
     }
     return "blanks";
+}
+
+std::string_view without_quotes(std::string_view field) {
+    field = trimmed(field, kFieldBlanks);
+    if (field.size() < 2 || field.front() != '"' || field.back() != '"') return field;
+    return trimmed(field.substr(1, field.size() - 2), kFieldBlanks);
 }
 
 void split_fields(std::string_view content, Separator separator,

@@ -46,6 +46,9 @@ Separator separator_of(std::string_view content);
 /// The separator for messages: "commas".
 const char* separator_name(Separator separator);
 
+/// A field without the blanks and the pair of quotes round it.
+std::string_view without_quotes(std::string_view field);
+
 /// Replaces `fields` by the fields of a line, without the blanks and the quotes round them.
 /// Separators in quotes are a part of their field. Between blanks, no field is empty.
 void split_fields(std::string_view content, Separator separator,

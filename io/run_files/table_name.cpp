@@ -37,8 +37,10 @@ TableName parse_table_name(const std::string& text,
 
 std::string with_columns(const TableName& name, const std::string& prefix,
                          const std::string& columns) {
-    return (prefix.empty() ? "" : prefix + ":") + name.path +
-           (columns.empty() ? "" : ":" + columns);
+    const std::string text =
+        (prefix.empty() ? "" : prefix + ":") + name.path + (columns.empty() ? "" : ":" + columns);
+    const bool is_word = text.find_first_of(" ()[]{}<>&|;*?$#!~`\"\\") == std::string::npos;
+    return is_word || text.find('\'') != std::string::npos ? text : "'" + text + "'";
 }
 
 }  // namespace pcvt

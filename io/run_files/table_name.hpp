@@ -29,8 +29,10 @@ TableName parse_table_name(const std::string& text,
                            std::initializer_list<std::string_view> prefixes = {});
 
 /// Writes a name as a user would type it: `name` with this prefix and these columns, for messages.
+/// Quotes it where a shell would split it.
 ///
 ///     with_columns({.path = "ebsd.csv"}, "diameter", "ECD")  // "diameter:ebsd.csv:ECD"
+///     with_columns({.path = "my.csv"}, "area", "Grain area")  // "'area:my.csv:Grain area'"
 std::string with_columns(const TableName& name, const std::string& prefix,
                          const std::string& columns);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
+#include "io/run_files/table_hints.hpp"
 #include "mesher/base/checkpoint.hpp"
 
 namespace pcvt {
@@ -11,7 +12,6 @@ namespace {
 
 constexpr std::size_t kMostListed = 12;
 constexpr std::string_view kStatedSeparator = "sep=";
-constexpr std::string_view kLammpsDump = "ITEM:";
 
 /// Whether the comma of a number may stand between thousands: 1,234, but neither 0,123 nor 1,5.
 bool may_separate_thousands(std::string_view number) {
@@ -45,11 +45,7 @@ void TableScanner::read_header(bool may_be_header) {
         lines_ = first;
         if (!first.next()) return;
     }
-    if (first.content().starts_with(kLammpsDump)) {
-        first.refuse(first.line(),
-                     "a LAMMPS dump; keep the names of columns behind ITEM: ATOMS and the lines "
-                     "below, leave out the rest, and give the sides of the box as the period");
-    }
+    if (may_be_header) refuse_atom_files(first);
     const auto split = [&](std::string_view content) {
         separator_ = separator_of(content);
         split_fields(content, separator_, fields_);
@@ -78,9 +74,14 @@ void TableScanner::join_header(const TableLines& header) {
     if (header_.size() > 1 && fields_.back().empty()) header_.pop_back();
     lines_ = header;
     TableLines row = header;
-    if (separator_ == Separator::kBlanks && header_.size() > 1 && row.next()) {
+    if (row.next()) {
+        row_below_header_ = row.line();
         split_fields(row.content(), separator_, fields_);
-        if (fields_.size() == 1) header_ = {header_column(header.content())};
+        if (separator_ == Separator::kBlanks && header_.size() > 1 && fields_.size() == 1) {
+            header_ = {header_column(header.content())};
+        }
+        split_fields(row.content(), separator_of(row.content()), fields_);
+        may_be_title_ = fields_.size() > 1 && is_header(fields_);
     }
     n_columns_ = header_.size();
     names_columns_ = n_columns_ > 1;
@@ -124,13 +125,18 @@ std::vector<std::size_t> TableScanner::choose(const std::vector<std::string>& co
 
 bool TableScanner::next() {
     checkpoint();
-    if (!lines_.next()) {
+    const auto is_empty = [](std::string_view field) { return field.empty(); };
+    bool is_row = true;
+    do {
+        is_row = lines_.next();
+        if (is_row) split_fields(lines_.content(), separator_, fields_);
+    } while (is_row && std::all_of(fields_.begin(), fields_.end(), is_empty));
+    if (!is_row) {
         if (unclear_line_ == 0 || has_clear_comma_) return false;
         lines_.refuse(unclear_line_,
                       "the comma may be a decimal mark or stand between thousands; write a decimal "
                       "point, or no separators of thousands");
     }
-    split_fields(lines_.content(), separator_, fields_);
     const bool ends_empty = fields_.size() > 1 && fields_.back().empty();
     if (ends_empty && (!requires_width_ || fields_.size() == n_columns_ + 1)) fields_.pop_back();
     if (requires_width_ && fields_.size() != n_columns_) refuse_width();
@@ -147,6 +153,7 @@ double TableScanner::number(std::size_t column) {
     try {
         return parse_number(field);
     } catch (const InvalidInput& fault) {
+        refuse_near_number(column, field);
         if (separator_ == Separator::kComma && field.find(',') != std::string_view::npos) {
             refuse(column, in_quotes(field) +
                                " is not a number; write a decimal point, and no "
@@ -154,6 +161,17 @@ double TableScanner::number(std::size_t column) {
         }
         refuse(column, fault.what());
     }
+}
+
+/// Refuses a field that is nearly a number, and one of a row of units below the header.
+void TableScanner::refuse_near_number(std::size_t column, std::string_view field) const {
+    if (const std::string remedy = number_remedy(field); !remedy.empty()) {
+        refuse(column, in_quotes(field) + " is not a number" + remedy);
+    }
+    if (lines_.line() != row_below_header_ || fields_.size() < 2 || !is_header(fields_)) return;
+    refuse(column, in_quotes(field) +
+                       " is not a number; remove the row, or put units in brackets behind the "
+                       "names of the columns");
 }
 
 /// Reads a number with either decimal mark, which is that of the whole table.
@@ -170,6 +188,7 @@ double TableScanner::decimal_number(std::size_t column, std::string_view field) 
     try {
         value = parse_number(digits);
     } catch (const InvalidInput& fault) {
+        refuse_near_number(column, field);
         if (digits == field) refuse(column, fault.what());
         refuse(column, in_quotes(field) + " is not a number; write a decimal such as -1,5e3");
     }
@@ -231,12 +250,29 @@ std::string TableScanner::label(std::size_t column) const {
     return "column " + (has_label ? in_quotes(header_[column].name) : std::to_string(column + 1));
 }
 
+std::string TableScanner::typed(std::size_t column) const {
+    std::string number = std::to_string(column + 1);
+    if (column >= header_.size()) return number;
+    const std::string& name = header_[column].name;
+    const auto n = std::count_if(header_.begin(), header_.end(), [&](const TableColumn& other) {
+        return comparable_name(other.name) == comparable_name(name);
+    });
+    const bool is_shown = in_quotes(name) == "'" + name + "'";
+    const bool is_plain = !name.empty() && name.find_first_of(",:'") == std::string::npos;
+    return n == 1 && is_shown && is_plain ? name : number;
+}
+
 std::string TableScanner::listed_columns() const {
     std::string text;
     for (std::size_t k = 0; k < std::min(header_.size(), kMostListed); ++k) {
         text += (k == 0 ? "" : ", ") + in_quotes(header_[k].name);
     }
-    return text + (header_.size() > kMostListed ? ", ..." : "");
+    if (header_.size() > kMostListed) text += ", ...";
+    return text + title_remedy();
+}
+
+std::string TableScanner::title_remedy() const {
+    return may_be_title_ ? " (if this is a title, remove the lines above the header)" : "";
 }
 
 std::string place_in_words(const TableScanner& scanner, const TableName& name, std::size_t column) {

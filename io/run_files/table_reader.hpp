@@ -52,11 +52,14 @@ class TableScanner {
     /// @throws BadFile for any other text.
     std::vector<std::size_t> choose(const std::vector<std::string>& columns);
 
-    /// Advances to the next row; returns false at the end of the table.
+    /// Advances to the next row whose fields are not all empty, as spreadsheets write them below a
+    /// table; returns false at the end of the table.
     /// @throws BadFile for a row with too few or too many fields.
     bool next();
     /// The line of the current row, counted from 1.
     int line() const { return lines_.line(); }
+    /// The current row as it is.
+    std::string_view content() const { return lines_.content(); }
     /// The fields of the current row.
     const std::vector<std::string_view>& fields() const { return fields_; }
     /// Returns the number in a field of the current row.
@@ -75,13 +78,22 @@ class TableScanner {
 
     /// How messages name a column: "column 'ECD'" or "column 2".
     std::string label(std::size_t column) const;
-    /// The columns of the header for messages: "'id', 'ECD', 'phase'".
+    /// How a user may name a column in the name of the table: by its name in the header, else by
+    /// its number from 1 where there is none, where two columns have it, or where a terminal could
+    /// not show it.
+    std::string typed(std::size_t column) const;
+    /// The columns of the header for messages: "'id', 'ECD', 'phase'", with title_remedy() behind
+    /// them.
     std::string listed_columns() const;
+    /// For messages about the header: how to remove a title, if the row below is a header; else
+    /// empty.
+    std::string title_remedy() const;
 
    private:
     void read_header(bool may_be_header);
     void join_header(const TableLines& header);
     [[noreturn]] void refuse_width() const;
+    void refuse_near_number(std::size_t column, std::string_view field) const;
     double decimal_number(std::size_t column, std::string_view field);
 
     TableLines lines_;
@@ -89,6 +101,9 @@ class TableScanner {
     std::vector<TableColumn> header_;
     std::size_t n_columns_ = 0;
     int header_line_ = 0;
+    int row_below_header_ = 0;
+    /// Whether the row below the header consists of words, as a header below a title does.
+    bool may_be_title_ = false;
     Separator separator_ = Separator::kBlanks;
     bool names_columns_ = false;
     bool requires_width_ = false;

@@ -70,7 +70,7 @@ WeightColumn stated_column(const TableScanner& scanner, const TableName& name, s
     if (stated) return {column, *stated};
     scanner.refuse_header(scanner.label(column) +
                           " could hold weights, radii or diameters; say which, such as " +
-                          with_columns(name, "radius", scanner.header()[column].name));
+                          with_columns(name, "radius", scanner.typed(column)));
 }
 
 /// The column of weights of a header; else the only one of radii or diameters. A prefix admits
@@ -86,15 +86,16 @@ std::size_t find_in_header(const TableScanner& scanner, const TableName& name) {
         if (!kind || (wanted && kind != wanted)) continue;
         if (only) {
             scanner.refuse_header("several columns may hold the radii; name one, such as " +
-                                  with_columns(name, name.prefix, scanner.header()[k].name));
+                                  with_columns(name, name.prefix, scanner.typed(k)));
         }
         only = k;
     }
     if (only) return *only;
-    scanner.refuse_header(
-        "none of the columns " + scanner.listed_columns() + " states " +
-        (wanted ? weight_words(*wanted).plural : "weights or radii") + "; name one, such as " +
-        with_columns(name, wanted ? name.prefix : "radius", scanner.header().back().name));
+    scanner.refuse_header("none of the columns " + scanner.listed_columns() + " states " +
+                          (wanted ? weight_words(*wanted).plural : "weights or radii") +
+                          "; name one, such as " +
+                          with_columns(name, wanted ? name.prefix : "radius",
+                                       scanner.typed(scanner.n_columns() - 1)));
 }
 
 WeightColumn find_weights(TableScanner& scanner, const TableName& name) {
@@ -140,6 +141,7 @@ WeightFile parse_weights(const TableName& name, std::string_view text) {
     std::vector<double> weights;
     if (scanner.n_columns() > 0) {
         const WeightColumn found = find_weights(scanner, name);
+        if (scanner.has_header()) file.header_line = scanner.line();
         while (scanner.next()) {
             // Without a header and a named column the scanner admits rows of other widths.
             if (const std::size_t n = scanner.fields().size();
@@ -149,6 +151,9 @@ WeightFile parse_weights(const TableName& name, std::string_view text) {
             }
             weights.push_back(weight_of_length(scanner, found));
             file.lines.push_back(scanner.line());
+        }
+        if (scanner.has_header() && found.kind != WeightKind::kWeight) {
+            file.unit = scanner.header()[found.column].unit;
         }
         file.description =
             weight_words(found.kind).description + place_in_words(scanner, name, found.column);

@@ -22,6 +22,10 @@ struct WeightFile {
     Eigen::VectorXd weights = {};
     /// The line of each weight, counted from 1.
     std::vector<int> lines = {};
+    /// The unit of radii or diameters that the header states; empty without one, and for weights.
+    std::string unit = {};
+    /// The line of the header; 0 without one.
+    int header_line = 0;
     /// The contents for a summary: "squared radii of column R (um) of spheres.csv".
     std::string description = {};
 };

@@ -14,6 +14,21 @@ constexpr std::string_view kBlanks = " \t\r\n";
 
 char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
+/// The text without the blanks round colons and commas, "a : 1, 0.3" is "a:1,0.3"; ends of lines
+/// are kept, because they separate materials.
+std::string joined_entries(std::string_view text) {
+    constexpr std::string_view kMarks = ":,";
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+    const auto is_mark = [&](char c) { return kMarks.find(c) != std::string_view::npos; };
+    std::string joined;
+    for (const char c : text) {
+        if (is_blank(c) && !joined.empty() && is_mark(joined.back())) continue;
+        while (is_mark(c) && !joined.empty() && is_blank(joined.back())) joined.pop_back();
+        joined += c;
+    }
+    return joined;
+}
+
 /// Solvers do not see case.
 bool have_one_name(std::string_view s, std::string_view t) {
     return std::equal(s.begin(), s.end(), t.begin(), t.end(),
@@ -85,6 +100,8 @@ std::vector<std::string> material_names(const std::vector<std::string>& phases) 
 
 ElasticChoices parse_elastic_choices(std::string_view text) {
     ElasticChoices choices;
+    const std::string joined = joined_entries(text);
+    text = joined;
     while (true) {
         text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
         if (text.empty()) break;

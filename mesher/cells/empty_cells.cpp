@@ -23,4 +23,9 @@ std::string names_of_empty_cells(const std::vector<int>& sites) {
 EmptyCells::EmptyCells(std::vector<int> sites)
     : InvalidInput(names_of_empty_cells(sites)), sites_(std::move(sites)) {}
 
+TinyCell::TinyCell(int site, const std::string& remedy)
+    : InvalidInput("the cell of site " + std::to_string(site) +
+                   " is smaller than 1e-9 of the spacing: " + remedy),
+      site_(site) {}
+
 }  // namespace pcvt

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "mesher/base/error.hpp"
@@ -19,6 +20,19 @@ class EmptyCells : public InvalidInput {
 
    private:
     std::vector<int> sites_;
+};
+
+/// A cell that is too small beside the spacing to have corners that differ.
+class TinyCell : public InvalidInput {
+   public:
+    /// @param site    an id from 0.
+    /// @param remedy  the end of the message.
+    TinyCell(int site, const std::string& remedy);
+
+    int site() const { return site_; }
+
+   private:
+    int site_;
 };
 
 }  // namespace pcvt

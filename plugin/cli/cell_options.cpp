@@ -146,6 +146,7 @@ void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job
         SiteFile file = read_sites<2>(parse_table_name(options.fixed));
         job.in_plane().fixed = std::move(file.points);
         job.lines = std::move(file.lines);
+        job.site_unit = std::move(file.unit);
         job.inputs.push_back(file.name);
     }
     if (app.count("--inclusions") > 0) {
@@ -193,6 +194,11 @@ void read_weight_file(const CellOptions& options, Job& job) {
     if (options.weights.empty()) return;
     const WeightFile file = read_weights(weight_table(options.weights));
     require_weights(file, job.n_wanted());
+    if (!file.unit.empty() && !job.site_unit.empty() && file.unit != job.site_unit) {
+        throw BadFile(file.name + ":" + std::to_string(file.header_line) +
+                      ": the unit of the lengths is " + file.unit + ", but that of the sites " +
+                      job.site_unit + "; give both in one unit");
+    }
     job.weights = GivenWeights{file.weights, file.description};
 }
 

@@ -7,6 +7,7 @@
 #include "io/run_files/site_table.hpp"
 #include "mesher/cells/empty_cells.hpp"
 #include "mesher/plane/density/density_survey.hpp"
+#include "mesher/plane/grains/grains.hpp"
 #include "plugin/cli/options/material_options.hpp"
 #include "plugin/cli/summary.hpp"
 #include "plugin/cli/terminal/cancel_signal.hpp"
@@ -82,6 +83,28 @@ BadFile empty_cell_lines(const std::string& name, const std::vector<int>& line_o
                    (is_one ? "line" : "lines") + ", or give larger weights");
 }
 
+/// The line of a site in the file, before a message; nothing for the mirror images of sites.
+std::string place_of_site(const std::string& name, const std::vector<int>& line_of, SiteId site) {
+    const auto s = static_cast<std::size_t>(site);
+    return s < line_of.size() ? name + ":" + std::to_string(line_of[s]) + ": " : "";
+}
+
+/// Names a site whose cell is too small by its line in the file.
+BadFile tiny_cell_line(const std::string& place, const Job& job, const TinyCell& tiny) {
+    if (!job.weights) return BadFile(place + tiny.what());
+    return BadFile(place +
+                   "the cell of this site is nearly empty, smaller than 1e-9 of the spacing, "
+                   "because the weights of others reach over it; remove the line, or give a larger "
+                   "weight");
+}
+
+/// Names a site of given weights, whose cell has no grains, by its line in the file.
+LimitExceeded thin_cell_line(const std::string& place) {
+    return LimitExceeded(place +
+                         "the cell of this site is too thin to be meshed by grains; change its "
+                         "weight or those of its neighbours, or take --mesh voronoi");
+}
+
 /// Runs the job, of which the file has points or fixed sites. Reports coincident sites by their
 /// lines in the file.
 template <class File>
@@ -95,6 +118,14 @@ RunSummary run_distinct(Job& job, const File& file, bool quiet) {
         throw duplicate_lines(file, duplicate);
     } catch (const EmptyCells& empty) {
         throw empty_cell_lines(file.name, job.lines, empty);
+    } catch (const TinyCell& tiny) {
+        const std::string place = place_of_site(file.name, job.lines, tiny.site());
+        if (place.empty()) throw;
+        throw tiny_cell_line(place, job, tiny);
+    } catch (const plane::ThinCell& thin) {
+        const std::string place = place_of_site(file.name, job.lines, thin.site());
+        if (!job.weights || place.empty()) throw;
+        throw thin_cell_line(place);
     }
 }
 
@@ -179,7 +210,7 @@ RunSummary run_in(Domain& domain, Job& job, const MeshOptions& options) {
     if (options.input.empty()) {
         read_area_file(job);
         const SiteFileOf<kDimension> fixed{parse_table_name(options.cells.fixed).path, domain.fixed,
-                                           job.lines};
+                                           job.lines, job.site_unit};
         return domain.fixed.cols() > 0 ? run_distinct(job, fixed, options.quiet)
                                        : run_watched(job, options.quiet);
     }
@@ -188,6 +219,7 @@ RunSummary run_in(Domain& domain, Job& job, const MeshOptions& options) {
     const SiteFileOf<kDimension>& file = table.sites;
     domain.points = file.points;
     job.lines = file.lines;
+    job.site_unit = file.unit;
     take_columns(table, options.input, job);
     read_area_file(job);
     read_weight_file(options.cells, job);

@@ -141,6 +141,8 @@ struct Job {
     Duplicates duplicates = Duplicates::kRefuse;
     /// The line of each of these sites in their file; empty without one.
     std::vector<int> lines;
+    /// The unit of these sites that their file states, such as um; empty without one.
+    std::string site_unit = {};
     /// The sites that settle_duplicates() left out.
     DroppedSites dropped;
     /// In space: the number of Delaunay tetrahedra of given sites to expect, which

@@ -136,6 +136,21 @@ def check_walls(folder, text):
         require("between walls" in (folder / name).read_text(), f"{name} shows no walls")
 
 
+def check_film(folder, text):
+    require("converged: off by at most" in text, "the widths of the grains are not reached")
+    with open(folder / "film.csv", encoding="ascii") as lines:
+        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    require(len(rows) == 12 and all(row["sides"] == "4" and row["y"] == "0.5" for row in rows), "the grains are not columns")
+    # S of the points of all elements; E / (1 - nu^2) of soft and hard grains under e_xx = 1e-3.
+    stresses = [list(map(float, row.split()[2:])) for row in (folder / "job.dat").read_text().splitlines() if len(row.split()) == 8]
+    soft = 100 / 0.91
+    mean = sum(s[0] for s in stresses) / len(stresses)
+    require(soft < mean < 2 * soft, f"the mean S_xx is {mean}")
+    across = abs(sum(s[1] for s in stresses) / len(stresses))
+    require(across < 0.05 * mean, f"the mean S_yy between free surfaces is {across}")
+    require("von Mises stress" in (folder / "stress.svg").read_text(), "no scale")
+
+
 def check_grains(folder, _):
     require_files(folder, "tile.msh", "tile.inp", "tile.vtu")
 
@@ -380,6 +395,7 @@ ROWS = {
     ("Phases and orientations", "Conductivities of phases by name"): Row(check_conductivities, programs=("gmsh", "getdp")),
     ("Walls", ""): Row(),
     ("Walls", "A channel and a box"): Row(check_walls),
+    ("Walls", "A thin film"): Row(check_film, programs=("ccx",)),
     ("Inclusions and fixed sites", ""): Row(),
     ("Inclusions and fixed sites", "Fibres and other shapes"): Row(check_fibres, programs=("gmsh", "getdp")),
     ("Inclusions and fixed sites", "A fibre composite"): Row(check_composite),

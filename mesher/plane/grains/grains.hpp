@@ -34,9 +34,10 @@ struct Grains {
 class ThinCell : public LimitExceeded {
    public:
     explicit ThinCell(SiteId site)
-        : LimitExceeded("the cell of site " + std::to_string(site) +
-                        " is too thin to be meshed by grains"),
-          site_(site) {}
+        : ThinCell(site, "the cell of site " + std::to_string(site) +
+                             " is too thin to be meshed by grains") {}
+    /// @param what  the whole message.
+    ThinCell(SiteId site, const std::string& what) : LimitExceeded(what), site_(site) {}
     SiteId site() const { return site_; }
 
    private:

@@ -6,6 +6,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/cells/empty_cells.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/mesh/valence.hpp"
 #include "mesher/torus/offset_disjoint_sets.hpp"
@@ -109,9 +110,7 @@ void require_polygon(const std::vector<MeshCorner>& corners, SiteId site) {
     std::sort(sorted.begin(), sorted.end());
     const bool distinct = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
     if (corners.size() < 3 || !distinct) {
-        throw InvalidInput("the cell of site " + std::to_string(site) +
-                           " is smaller than 1e-9 of the spacing: its neighbours are too close; "
-                           "remove or move one of them");
+        throw TinyCell(site, "its neighbours are too close; remove or move one of them");
     }
 }
 

@@ -107,11 +107,12 @@ Grains grains_of(const TileOptions& options, const LaidOut& cells, double h) {
                    : mesh_grains(cells.mesh, size, progress);
     } catch (const ThinCell& thin) {
         if (options.outline == Outline::kWhole) {
-            throw LimitExceeded(std::string(thin.what()) +
-                                "; take more sites, optimise them, or shorten the longer period");
+            throw ThinCell(thin.site(),
+                           std::string(thin.what()) +
+                               "; take more sites, optimise them, or shorten the longer period");
         }
-        throw LimitExceeded("a piece of " + std::string(thin.what()) +
-                            "; give another origin, or use the whole outline");
+        throw ThinCell(thin.site(), "a piece of " + std::string(thin.what()) +
+                                        "; give another origin, or use the whole outline");
     }
 }
 

@@ -82,6 +82,18 @@ TEST(CellRows, TheHeadStatesTheUnits) {
                                            "angles in degrees\nsite,x,y,weight,"));
 }
 
+TEST(CellRows, TheHeadNamesPowerCellsWhereSitesHaveWeights) {
+    EXPECT_THAT(encode_cells(example_rows(true, true)),
+                ::testing::StartsWith("# The power cells (Laguerre cells) of one period, written"));
+    EXPECT_THAT(encode_cells(example_rows(false, true)),
+                ::testing::StartsWith("# The Voronoi cells of one period, written by pcvt; "));
+    // Files with the head of earlier versions are read.
+    const CellRows rows = example_rows(true, true);
+    std::string text = encode_cells(rows);
+    text.replace(0, text.find('\n'), "# The Voronoi cells of one period, written by pcvt");
+    EXPECT_TRUE(reads_back("c.csv", text, rows));
+}
+
 TEST(CellRows, OtherOrbitsAreFound) {
     const CellRows rows = example_rows(true, true);
     CellRows other = rows;

@@ -67,6 +67,60 @@ TEST(InclusionReader, EachFaultNamesItsLineAndARemedy) {
     EXPECT_THAT(inclusion_fault(std::string_view("circle\0a", 8)), HasSubstr("binary"));
 }
 
+/// The first shape of a text, a circle: x, y, r.
+std::array<double, 3> first_circle(std::string_view text) {
+    const InclusionFile file = parse_inclusions("i.txt", text);
+    const auto& circle = std::get<plane::Circle>(file.inclusions.at(0).shape);
+    EXPECT_THAT(file.tags, ElementsAre("steel"));
+    return {circle.centre.x(), circle.centre.y(), circle.radius};
+}
+
+TEST(InclusionReader, SeparatorsAreThoseOfTables) {
+    for (const char* text :
+         {"circle steel 0.5, 0.25, 0.125", "circle,steel,0.5,0.25,0.125",
+          "circle\tsteel\t0.5\t0.25\t0.125\t", "circle, steel, 0.5, 0.25, 0.125",
+          "circle steel 0.5,0.25,0.125", "circle , steel , 0.5 , 0.25 , 0.125",
+          "circle;steel;0.5;0.25;0.125", "circle;steel;0,5;0,25;0,125",
+          "circle\tsteel\t0,5\t0,25\t0,125",
+          "\357\273\277Circle;\"steel\";\"0,5\";0,25;0,125;;;\r\n",
+          "sep=;\nCIRCLE;steel;0,5;0,25;0,125\n", "\"circle\",\"steel\",\"0.5\",\"0.25\",\"0.125\"",
+          "circle steel 0.5 0.25 0.125,", "shape;tag;x;y;r\ncircle;steel;0,5;0,25;0,125\n",
+          "# a\nshape,tag,x,y,r\n\ncircle,steel,0.5,0.25,0.125\n"}) {
+        EXPECT_THAT(first_circle(text), ElementsAre(0.5, 0.25, 0.125)) << text;
+    }
+    const InclusionFile file = parse_inclusions(
+        "i.csv", "shape;tag;x;y;r;;;\r\ncircle;a;0,5;0,5;0,2;;;\r\npolygon;b;0;0;0,5;0;0;0,5\r\n");
+    EXPECT_EQ(file.inclusions[0].line, 2);
+    EXPECT_EQ(
+        parse_inclusions("i.csv", "circle;a;0;0;1\n;;;;\ncircle;a;2;2;1\n;\n").inclusions[1].line,
+        3);
+    EXPECT_THAT(std::get<plane::Polygon>(file.inclusions[1].shape),
+                ElementsAre(plane::Vec2(0, 0), plane::Vec2(0.5, 0), plane::Vec2(0, 0.5)));
+    EXPECT_THAT(std::get<plane::Polygon>(
+                    parse_inclusions("i.txt", "polygon b 0,0 5,0 0,5\n").inclusions[0].shape),
+                ElementsAre(plane::Vec2(0, 0), plane::Vec2(5, 0), plane::Vec2(0, 5)));
+}
+
+TEST(InclusionReader, CommasThatMayBeDecimalMarksAreRefused) {
+    EXPECT_EQ(
+        inclusion_fault("circle steel 0,5 0,25 0,125\n"),
+        "i.txt:1: '0,5' may be one number or two; write decimal points, or semicolons between "
+        "fields");
+    EXPECT_EQ(
+        inclusion_fault("circle a 1 2 3\npolygon b 0,0 1,0 1,1 0,1 2,3 4,5\n"),
+        "i.txt:2: '0,0' may be one number or two; write decimal points, or semicolons between "
+        "fields");
+    EXPECT_THAT(inclusion_fault("circle;a;0,5;0.5;0,2\n"),
+                StartsWith("i.txt:1: '0.5' has a decimal point, "));
+    EXPECT_THAT(inclusion_fault("circle;a;1,234;1,234;1,234\n"),
+                HasSubstr("or stand between thousands"));
+    EXPECT_THAT(inclusion_fault("circle,a,1,,3\n"), StartsWith("i.txt:1: a field is empty"));
+    EXPECT_THAT(inclusion_fault("circle;a;1;;3\n"), StartsWith("i.txt:1: the field is empty"));
+    EXPECT_THAT(inclusion_fault("square;a;b\n"), HasSubstr("holds no inclusion"));
+    EXPECT_THAT(inclusion_fault("shape tag x\nsquare a b\n"),
+                StartsWith("i.txt:2: 'square' is not a shape"));
+}
+
 TEST(InclusionReader, FibresHaveAFractionANumberAndPerhapsAGap) {
     const plane::RandomCircles plain = parse_fibres("0.5,30");
     EXPECT_EQ(plain.fraction, 0.5);

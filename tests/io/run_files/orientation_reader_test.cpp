@@ -69,7 +69,7 @@ TEST(OrientationReader, TheHeaderStatesTheUnit) {
 TEST(OrientationReader, HeadersWithoutThreeAnglesOrWithSixAreRefused) {
     EXPECT_EQ(first_angles("phi1,Phi\n1,2\n"),
               "o.csv:1: the header has no columns phi1, Phi and "
-              "phi2; name the columns, o.csv:COLUMN,COLUMN,COLUMN");
+              "phi2; name the columns, o.csv:COLUMN,COLUMN,COLUMN, of 'phi1', 'Phi'");
     EXPECT_EQ(
         first_angles("Euler1,Euler2,Euler3,phi1,Phi,phi2\n1,2,3,4,5,6\n"),
         "o.csv:1: both column 'Euler1' and column 'phi1' begin three angles; name three, such "

@@ -36,6 +36,17 @@ TEST(SiteReader, SitesAndTheirLinesAreRead) {
     EXPECT_EQ(file.name, "s.txt");
 }
 
+TEST(SiteReader, TheHeaderStatesTheUnit) {
+    const auto unit = [](std::string_view text, std::vector<std::string> columns = {}) {
+        return parse_sites<2>({.path = "s.txt", .columns = std::move(columns)}, text).unit;
+    };
+    EXPECT_EQ(unit("x [\xC2\xB5m];y(\xC2\xB5m)\n1;2\n"), "um");
+    EXPECT_EQ(unit("id,Xc (mm),Yc (mm)\n1,2,3\n", {"xc", "yc"}), "mm");
+    for (const char* text : {"x,y\n1,2\n", "1 2\n"}) EXPECT_EQ(unit(text), "");
+    EXPECT_EQ(unit("1,2,3\n", {"2", "3"}), "");
+    EXPECT_THROW(unit("id,Xc (mm),Yc (um)\n1,2,3\n", {"xc", "yc"}), BadFile);
+}
+
 TEST(SiteReader, LineEndsMarksAndSignsOfZeroAreAccepted) {
     const SiteFile file =
         parse_sites<2>({.path = "s.txt"}, "\xEF\xBB\xBF-0.0 1\r\n# c\r\n\t7\t-0\r\n0.1 0.2");

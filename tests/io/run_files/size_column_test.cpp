@@ -48,17 +48,51 @@ TEST(SizeColumn, FilesOfOneColumnKeepTheirName) {
 TEST(SizeColumn, APrefixStatesTheSizeWhereTheHeaderDoesNot) {
     EXPECT_EQ(reading("size\n1\n"),
               "g.csv:1: column 'size' may hold areas or diameters; write "
-              "area:g.csv or diameter:g.csv");
+              "--areas area:g.csv or --areas diameter:g.csv");
     EXPECT_EQ(reading("size\n1\n", "area"), "areas of column size of g.csv");
     EXPECT_EQ(reading("id,size\n1,2\n", "", {"size"}),
-              "g.csv:1: column 'size' may hold areas or diameters; write area:g.csv:size or "
-              "diameter:g.csv:size");
+              "g.csv:1: column 'size' may hold areas or diameters; write --areas "
+              "area:g.csv:size or --areas diameter:g.csv:size");
     EXPECT_EQ(reading("id,size\n1,2\n", "diameter", {"size"}), "diameters of column size of g.csv");
     EXPECT_EQ(reading("id,Feret diameter\n1,2\n", "", {"feret diameter"}),
               "diameters of column Feret diameter of g.csv");
     EXPECT_EQ(reading("id,d\n1,2\n", "area"),
-              "g.csv:1: no column is called area or diameter; name the column of sizes, "
-              "area:g.csv:COLUMN or diameter:g.csv:COLUMN");
+              "g.csv:1: no column is called area or diameter; name the column of sizes "
+              "of 'id', 'd': --areas diameter:g.csv:d");
+}
+
+TEST(SizeColumn, ColumnsInOtherLanguagesAreSuggestedButNotGuessed) {
+    const auto suggestion = [](const std::string& header) {
+        const std::string fault = reading(header + "\n1;2;3\n");
+        return fault.substr(fault.find("--areas"));
+    };
+    EXPECT_EQ(reading("Korn;Fl\xC3\xA4"
+                      "che (\xC2\xB5m\xC2\xB2);Durchmesser (\xC2\xB5m)\n1;2;3\n"),
+              "g.csv:1: no column is called area or diameter; name the column of sizes of 'Korn', "
+              "'Fl\xC3\xA4"
+              "che', 'Durchmesser': --areas area:g.csv:Fl\xC3\xA4"
+              "che or --areas "
+              "diameter:g.csv:Durchmesser");
+    EXPECT_EQ(suggestion("grain;aire;diam\xC3\xA8tre"),
+              "--areas area:g.csv:aire or --areas diameter:g.csv:diam\xC3\xA8tre");
+    EXPECT_EQ(suggestion("grano;\xC3\xA1rea;di\xC3\xA1metro"),
+              "--areas area:g.csv:\xC3\xA1rea or --areas diameter:g.csv:di\xC3\xA1metro");
+    EXPECT_EQ(suggestion("grano;superficie;raggio medio"),
+              "--areas area:g.csv:superficie or --areas 'radius:g.csv:raggio medio'");
+    // In Latin-1 a terminal does not show the name; without a known word the last column counts.
+    EXPECT_EQ(suggestion("Korn;Fl\xE4"
+                         "che;x"),
+              "--areas area:g.csv:2");
+    EXPECT_EQ(suggestion("id;a;size"), "--areas area:g.csv:size or --areas diameter:g.csv:size");
+    EXPECT_EQ(suggestion("id;size;size"), "--areas area:g.csv:3 or --areas diameter:g.csv:3");
+    // What a message suggests is read.
+    EXPECT_EQ(reading("a;Fl\xC3\xA4"
+                      "che\n1;2\n",
+                      "area",
+                      {"Fl\xC3\xA4"
+                       "che"}),
+              "areas of column Fl\xC3\xA4"
+              "che of g.csv");
 }
 
 TEST(SizeColumn, ContradictionsAreRefused) {
@@ -80,8 +114,8 @@ TEST(SizeColumn, SeveralSizesAreRefusedUnlessOneIsNamed) {
 
 TEST(SizeColumn, VolumesAreNotForThePlane) {
     EXPECT_EQ(reading("id,Volume\n1,2\n"),
-              "g.csv:1: cells in the plane have areas, not volumes; name the column of sizes, "
-              "area:g.csv:COLUMN or diameter:g.csv:COLUMN");
+              "g.csv:1: cells in the plane have areas, not volumes; name the column of sizes "
+              "of 'id', 'Volume': --areas area:g.csv:COLUMN or --areas diameter:g.csv:COLUMN");
     EXPECT_THAT(reading("volume\n2\n"), StartsWith("g.csv:1: column 'volume' holds volumes, but"));
     EXPECT_EQ(reading("id,ECD,Volumes\n1,2,3\n"), "diameters of column ECD of g.csv");
 }

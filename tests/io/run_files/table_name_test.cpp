@@ -47,6 +47,14 @@ TEST(TableName, StandardInputMayHaveColumns) {
     EXPECT_THAT(parse_table_name("-:x,y").columns, ElementsAre("x", "y"));
 }
 
+TEST(TableName, MessagesQuoteWhatAShellWouldSplit) {
+    EXPECT_EQ(with_columns({.path = "e.csv"}, "diameter", "ECD"), "diameter:e.csv:ECD");
+    EXPECT_EQ(with_columns({.path = "e.csv"}, "", ""), "e.csv");
+    EXPECT_EQ(with_columns({.path = "my e.csv"}, "rad", "a,b,c"), "'rad:my e.csv:a,b,c'");
+    EXPECT_EQ(with_columns({.path = "e.csv"}, "", "Feret (max)"), "'e.csv:Feret (max)'");
+    EXPECT_EQ(with_columns({.path = "e's.csv"}, "", "a b"), "e's.csv:a b");
+}
+
 TEST(TableName, EmptyPartsAreNoColumns) {
     EXPECT_EQ(parse_table_name("none.csv:").path, "none.csv:");
     EXPECT_EQ(parse_table_name(":x").path, ":x");

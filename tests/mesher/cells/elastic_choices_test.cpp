@@ -30,6 +30,20 @@ TEST(ElasticChoices, MaterialsAreSeparatedByBlanksOrLines) {
     EXPECT_TRUE(parse_elastic_choices("same").are_same);
 }
 
+TEST(ElasticChoices, BlanksMaySurroundColonsAndCommas) {
+    for (const char* text :
+         {"a : 1, 0.3 b:2 ,0.25", "a: 1 ,\t0.3\n b :2,0.25", " a:1,0.3\nb :  2  ,  0.25 "}) {
+        EXPECT_THAT(parse_elastic_choices(text).materials,
+                    ElementsAre(NamedConstants{"a", {{1, 0.3}}}, NamedConstants{"b", {{2, 0.25}}}))
+            << text;
+    }
+    // The end of a line ends a material.
+    EXPECT_THAT(fault_of_choices([] { parse_elastic_choices("a:1,0.3,\nb:2,0.25"); }),
+                HasSubstr("'a:1,0.3,': not the constants"));
+    EXPECT_THAT(fault_of_choices([] { parse_elastic_choices("a : 1 0.3"); }),
+                HasSubstr("'a:1': a material has 2, 3 or 5"));
+}
+
 TEST(ElasticChoices, OtherTextsAreRefusedWithTheEntry) {
     for (const auto& [text, words] : std::vector<std::pair<std::string, std::string>>{
              {"", "no material"},

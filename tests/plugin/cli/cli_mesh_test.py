@@ -186,7 +186,12 @@ class Words(CliTest):
         self.assertRegex(text, "sites +4; 2 of the file lie outside of the domain and .* lattice\n")
         self.path("far.txt").write_text("0 0\n11 0.5\n14 0.7\n-3.3 8.2\n")
         text = self.succeed("mesh", "--input", "far.txt", "--max-iterations", 0)
-        self.assertRegex(text, "sites +4; 3 of .* lattice: --period or --lattice may be wrong\n")
+        self.assertRegex(text, "sites +4; 3 of .* lattice: --period or --lattice may be wrong; the positions extend over 17.3 x 8.2, "
+                               "which takes --period 17.3,8.2 or larger, in the same unit\n")
+        # A period may be right, and the positions far away.
+        self.path("moved.txt").write_text("5.1 5.2\n5.5 5.5\n5.8 5.1\n")
+        text = self.succeed("mesh", "--input", "moved.txt", "--max-iterations", 0)
+        self.assertRegex(text, "sites +3; 3 of .* lattice: --period or --lattice may be wrong\n")
         text = self.succeed("mesh", "--input", "s.txt", "--max-iterations", 0, "--period", "2,1",
                             "--origin", "-0.5,0")
         self.assertRegex(text, "sites +4\n")

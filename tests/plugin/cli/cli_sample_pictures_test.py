@@ -1,18 +1,12 @@
-"""samples/stress_picture, flow_picture and stiffness: their pictures and texts, and the line with which they refuse files."""
+"""samples/stress_picture and flow_picture: their pictures, and the line with which they refuse files."""
 
-import contextlib
-import io
-import pathlib
+import os
 import random
 import re
-import runpy
-import subprocess
-import sys
-from unittest import mock
 
-from support.cli import CliTest, main
+from support.cli import main
+from support.samples import LONG, SampleTest, printed, sample
 
-SAMPLES = pathlib.Path(__file__).resolve().parents[3] / "samples"
 WALLS = {"": [(0, 0), (2, 0), (0, 1), (2, 1)], "y": [(0, 0), (2, 0)], "x": [(0, 0), (0, 1)], "xy": [(0, 0)]}
 JOB = """*INCLUDE, INPUT={}
 *MATERIAL, NAME=M
@@ -26,35 +20,6 @@ JOB = """*INCLUDE, INPUT={}
 S
 *END STEP
 """
-DAMAGES = ("nan", "inf", "1e999", "-1", "99999999", "²", "x", "", "(", ")", "{", ";", "7 7", "*NODE", "\0", "\u00e9")
-
-
-def printed(name, *arguments):
-    """Runs a sample; returns its exit code, its standard output and its standard error."""
-    output, errors = io.StringIO(), io.StringIO()
-    code = 0
-    with mock.patch.object(sys, "argv", [name, *map(str, arguments)]), contextlib.redirect_stderr(errors), \
-            contextlib.redirect_stdout(output), mock.patch.object(sys, "path", [str(SAMPLES), *sys.path]):
-        try:
-            runpy.run_path(str(SAMPLES / name), run_name="__main__")
-        except SystemExit as end:
-            code = end.code
-    return code or 0, output.getvalue(), errors.getvalue()
-
-
-def sample(name, *arguments):
-    """Runs a sample; returns its exit code and its standard error."""
-    code, _, errors = printed(name, *arguments)
-    return code, errors
-
-
-def table(title, rows):
-    """Returns a table as CalculiX prints it."""
-    return f"\n {title}\n\n" + "".join(f"{row}\n" for row in rows)
-
-
-def stress_of(element, point, step):
-    return [1e3 * step + 10 * element + point + k / 8 for k in range(6)]
 
 
 def copies(svg):
@@ -62,7 +27,7 @@ def copies(svg):
     return [tuple(map(float, found)) for found in re.findall(r'<use href="#tile" x="([^"]*)" y="([^"]*)"/>', svg)]
 
 
-class Pictures(CliTest):
+class Pictures(SampleTest):
     def stress(self, walls=""):
         """Writes a job that includes a mesh, and a table of stresses; returns the arguments of stress_picture."""
         self.succeed("mesh", "--sites", 12, "--period", "2,1", "--mesh", "grains", "--max-iterations", 5, "--quiet", "--force",
@@ -73,25 +38,8 @@ class Pictures(CliTest):
         rows = "".join(f"{int(element):10} {point} {'1.0E+00 ' * 6}\n" for element in elements for point in (1, 2, 3))
         title = " stresses (elem, integ.pnt.,sxx,syy,szz,sxy,sxz,syz) for set EALL and time  0.1000000E+01\n\n"
         self.path("job.dat").write_text("\n" + title + rows + "\n")
+        self.set_age("job.dat", -LONG)
         return self.path("job.inp"), self.path("job.dat"), "1"
-
-    def stiffness(self):
-        """Writes a job and the .dat file of a run whose elements have equal volumes; returns both, and the number of elements."""
-        self.succeed("mesh", "--sites", 4, "--period", "2,1", "--mesh", "grains", "--size", 1, "--max-iterations", 5, "--quiet",
-                     "--force", "--job", "elastic", "-o", "job.inp")
-        job, data = self.path("job.inp"), self.path("job.dat")
-        elements = re.findall(r"^(\d+),", job.read_text().split(",ELSET=EALL\n")[1].split("\n*")[0], re.M)
-        volumes = [f"{int(element):10} {2 / len(elements):13.6E}" for element in elements]
-        text = ""
-        for step in (1, 2, 3):
-            where = f"for set EALL and time  0.{step}000000E+01"
-            stresses = [f"{int(element):10} {point:3}" + "".join(f" {s:13.6E}" for s in stress_of(int(element), point, step))
-                        for element in elements for point in (1, 2)]
-            text += table(f"stresses (elem, integ.pnt.,sxx,syy,szz,sxy,sxz,syz) {where}", stresses)
-            text += table(f"strains (elem, integ.pnt.,exx,eyy,ezz,exy,exz,eyz) {where}", stresses[:3])
-            text += table(f"volume (element, volume) {where}", volumes)
-        data.write_text(text)
-        return job, data, len(elements)
 
     def flow(self, walls=""):
         """Writes a case with the field of a solver at time 0.5; returns the arguments of flow_picture."""
@@ -113,11 +61,6 @@ class Pictures(CliTest):
         self.path("out.svg").unlink(missing_ok=True)
         self.expect_line(name, (*arguments, self.path("out.svg")), pattern)
         self.assertFalse(self.path("out.svg").exists())
-
-    def expect_line(self, name, arguments, pattern, remedy=""):
-        code, output, line = printed(name, *arguments)
-        self.assertEqual((code, output, line.count("\n")), (2, "", 1), line)
-        self.assertRegex(line, f"^{re.escape(str(self.folder))}/{pattern}.*; {remedy}.*\n$")
 
     def test_a_tile_repeats_along_its_periods_and_not_across_walls(self):
         for name, make in (("stress_picture", self.stress), ("flow_picture", self.flow)):
@@ -155,89 +98,12 @@ class Pictures(CliTest):
         data.write_text(data.read_text()[:-1] + foreign)
         self.expect_refusal("stress_picture", (job, data, "1"), "job.dat: step 1 has a stress of element 999999, which ")
 
-    def test_stiffness_is_the_mean_stress_of_each_step(self):
-        _, data, n = self.stiffness()
-        means = {name: [sum(stress_of(element, point, step)[k] for element in range(1, n + 1) for point in (1, 2)) / (2 * n)
-                        for step in (1, 2, 3)] for name, k in (("xx", 0), ("yy", 1), ("xy", 3))}
-        for options, holes in (((), 1), (("--volume", "8"), 4)):
-            code, output, _ = printed("stiffness", data, *options)
-            rows = [line.split() for line in output.splitlines() if not line.startswith("#")]
-            self.assertEqual((code, [row[0] for row in rows]), (0, list(means)))
-            for name, *values in rows:
-                for value, mean in zip(map(float, values), means[name], strict=True):
-                    self.assertAlmostEqual(value * holes / mean, 1, 4)
-
-    def test_stiffness_refuses_a_run_that_ended_early(self):
-        _, data, n = self.stiffness()
-        text = data.read_text()
-        lines = text.splitlines(keepends=True)
-        last_stress = max(k for k, line in enumerate(lines) if line.startswith(f"{n:10}   2"))
-        for damaged, words in (("".join(lines[:-1]), "step 3 has other elements or points"),
-                               ("".join(lines[:last_stress] + lines[last_stress + 1:]), "step 3 has other elements or points"),
-                               (text.replace(f"{n:10}   ", f"{n + 1:10}   "), "step 1 has stresses and volumes of different"),
-                               (text[:-3] + "1\n", f"the volume of element {n} in step 3 is not that in step 1"),
-                               (text[:-1], "it ends in the middle of a line"),
-                               (text[:text.rindex("\n volume")], "it does not hold the stresses and volumes of 3 steps"),
-                               (text + lines[-1], f"element {n} has this row twice"),
-                               (text[:-1] + " 1\n", "the row has 3 numbers"),
-                               ("", "it does not hold the stresses and volumes of 3 steps")):
-            for options in ((), ("--volume", "2")):
-                with self.subTest(words, options=options):
-                    data.write_text(damaged)
-                    self.expect_line("stiffness", (data, *options), rf"job.dat(:\d+)?: {words}", "run ccx again")
-
-    def test_stiffness_is_that_of_the_whole_file_or_none(self):
-        source = random.Random(2)
-        _, data, _ = self.stiffness()
-        text = data.read_text()
-        whole = printed("stiffness", data)
-        self.assertEqual(whole[0], 0)
-        for end in [*source.sample(range(len(text)), 100), *range(len(text) - 60, len(text))]:
-            data.write_text(text[:end])
-            found = printed("stiffness", data)
-            if found != whole:
-                self.assertEqual((found[0], found[1], found[2].count("\n")), (2, "", 1), found)
-
-    def test_stiffness_refuses_elements_that_do_not_fill_the_job(self):
-        job, data, n = self.stiffness()
-        text = job.read_text()
-        row = re.search(rf"^{n},.*\n", text.split(",ELSET=EALL\n")[1], re.M)[0]
-        for damaged, words, remedy in ((text.replace(row, ""),
-                                        rf"it has {n} elements, but \S*job\.inp {n - 1}", "run ccx job again"),
-                                       (text.replace(row, f"9{row}"), f"it has the element {n}, but ", "run ccx job again"),
-                                       (text.replace("period is 2,", "period is 1.99999,"), "the volume of its elements is 2",
-                                        "run ccx again")):
-            job.write_text(damaged)
-            self.expect_line("stiffness", (data,), f"job.dat: {words}", remedy)
-        self.expect_line("stiffness", (data, "--volume", "1.9"), "job.dat: the volume of its elements is 2, ", "give the volume")
-        mesh = text[:text.index("** Materials")]
-        self.path("mesh.inp").write_text(mesh)
-        job.write_text(text.replace(mesh, "*INCLUDE,INPUT=mesh.inp\n"))
-        self.assertEqual(sample("stiffness", data), (0, ""))
-        self.path("mesh.inp").write_text(mesh.replace(row, ""))
-        self.expect_line("stiffness", (data,), f"job.dat: it has {n} elements")
-
-    def test_stiffness_refuses_files_that_are_none(self):
-        job, data, _ = self.stiffness()
-        self.path("binary.dat").write_bytes(bytes(range(256)))
-        self.path("folder.dat").mkdir()
-        for name, words, remedy in (("none.dat", "there is no such file, for ccx has not run yet", "run ccx none"),
-                                    ("binary.dat", "this is not a text file", "give the .dat file"),
-                                    ("folder.dat", "Is a directory", "give the .dat file"),
-                                    ("job.inp", "it does not hold the stresses", "run ccx again")):
-            self.expect_line("stiffness", (self.path(name),), f"{name}: {words}", remedy)
-        text = job.read_text()
-        job.write_bytes(f"** Maße\n{text}".encode("latin-1"))
-        self.expect_line("stiffness", (data,), "job.inp: this is not a text file in UTF-8", "save the job in UTF-8")
-        self.assertEqual(sample("stiffness", data, "--volume", "2"), (0, ""))
-        job.write_text(text.replace("area of the period", "area"))
-        self.expect_line("stiffness", (data,), "job.inp: it does not state the area of the period", "give --volume V")
-        job.unlink()
-        self.expect_line("stiffness", (data,), "job.inp: there is no such file, ", "give --volume V")
-        for volume in ("0", "-1", "nan", "inf"):
-            code, line = sample("stiffness", data, f"--volume={volume}")
-            self.assertEqual((code, line.count("\n")), (2, 1), line)
-            self.assertRegex(line, "^--volume: .* is not a volume; ")
+    def test_an_included_mesh_may_be_newer_than_the_results(self):
+        arguments = self.stress()
+        self.draw("stress_picture", arguments)
+        tile = self.path("tile.inp")
+        os.utime(tile, (tile.stat().st_atime, tile.stat().st_mtime + 2 * LONG))
+        self.expect_refusal("stress_picture", arguments, r"job\.dat: it is older than \S*/tile\.inp")
 
     def test_files_that_are_none_are_refused(self):
         job, data, _ = self.stress()
@@ -299,32 +165,13 @@ class Pictures(CliTest):
         mesh, out = case / "constant/polyMesh", self.path("out.svg")
         for name, arguments, files in (("stress_picture", (job, data, "1", out), (job, data, self.path("tile.inp"))),
                                        ("flow_picture", (case, "0.5", out),
-                                        (case / "0.5/U", *(mesh / n for n in ("boundary", "faces", "points")))),
-                                       ("stiffness", (data,), (job, data))):
-            if name == "stiffness":
-                self.stiffness()
-            for path in files:
-                text = path.read_text()
-                for _ in range(25):
-                    words = re.split(r"([\s,()]+)", text)
-                    k = source.randrange(len(words))
-                    damaged = "".join([*words[:k], source.choice(DAMAGES), *words[k + 1:]])
-                    path.write_text(damaged if source.random() < 0.7 else damaged[:source.randrange(len(damaged))])
-                    code, line = sample(name, *arguments)
-                    self.assertIn((code, line.count("\n")), ((0, 0), (2, 1)), (path, line))
-                path.write_text(text)
+                                        (case / "0.5/U", *(mesh / n for n in ("boundary", "faces", "points"))))):
+            self.damage(source, name, arguments, files)
 
     def test_a_picture_that_cannot_be_written_is_reported(self):
         code, line = sample("flow_picture", *self.flow(), self.path("none/out.svg"))
         self.assertEqual(code, 3)
         self.assertRegex(line, r"none/out\.svg: cannot write: No such file or directory; .*\n$")
-
-    def test_numbers_that_cannot_be_printed_are_reported(self):
-        _, data, _ = self.stiffness()
-        with open("/dev/full", "wb") as full:
-            done = subprocess.run([SAMPLES / "stiffness", data], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
-        self.assertEqual((done.returncode, done.stderr.count("\n")), (3, 1), done.stderr)
-        self.assertRegex(done.stderr, "^standard output: cannot write: No space left on device; ")
 
 
 if __name__ == "__main__":

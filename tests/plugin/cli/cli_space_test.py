@@ -114,7 +114,8 @@ class Runs(CliTest):
         self.assertEqual(figures(self.succeed(*run, "s.txt", "--lattice", "2,0,0,0,1,0,-0.6,0,1"))["sites"], "4")
         self.write("far.txt", "0 0 0\n11 0.5 3\n14 0.7 2\n-3.3 8.2 0\n")
         said = figures(self.succeed(*run, "far.txt", *CUBE))["sites"]
-        self.assertRegex(said, "^4; 3 of .* lattice: --period or --lattice may be wrong$")
+        self.assertRegex(said, "^4; 3 of .* lattice: --period or --lattice may be wrong; the positions extend over 17.3 x 8.2 x 3, "
+                               "which takes --period 17.3,8.2,3 or larger, in the same unit$")
 
     def test_sites_on_the_seam(self):
         corners = "0 0 0\n0.5 0 0\n0 0.5 0\n0 0 0.5\n0.25 0.25 0\n1 0.25 0.75\n"

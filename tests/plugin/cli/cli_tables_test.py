@@ -3,6 +3,7 @@
 import csv
 import itertools
 import math
+import re
 
 from support.cli import CliTest, main
 
@@ -75,6 +76,22 @@ class Forms(TableTest):
         self.assertRegex(out, r"(?m)^areas +diameters of column Equivalent_Diameter \(um\) of e\.csv \(each area times ")
         self.assertIn("areas of column 4 of d.csv", self.succeed(*run, self.write("d.csv", table(None, ",", False, "\n", False)) + ":4"))
 
+    def test_the_summary_states_the_unit_of_the_period(self):
+        run = ("mesh", "--max-iterations", 0)
+        for option, name in (("--input", "e.csv"), ("--input", "e.csv:x,y"), ("--fixed", "e.csv:2,3")):
+            self.write("e.csv", table(self.NAMES[2], ";", True, "\r\n", True))
+            sites = () if option == "--input" else ("--sites", 3)
+            self.assertRegex(self.succeed(*run, *sites, option, name), r"(?m)^sites +3; x, y are in um, and so is the period$")
+            self.write("e.csv", table(self.NAMES[1], ";", True, "\r\n", True))
+            self.assertRegex(self.succeed(*run, *sites, option, name), r"(?m)^sites +3$")
+        self.write("far.csv", "x [mm],y [mm]\n120.25,0.5\n500.5,990.5\n900.25,0.25\n")
+        self.assertRegex(self.succeed(*run, "--input", "far.csv"),
+                         r"(?m)^sites +3; x, y are in mm, and so is the period; 3 of the file lie outside of .*: --period or --lattice may be "
+                         r"wrong; the positions extend over 780 x 990.2 mm, which takes --period 780,990.2 or larger, in the same unit$")
+        self.write("p.csv", "x (nm),y (nm),z (nm)\n0.1,0.2,0.3\n0.5,0.6,0.7\n0.2,0.9,0.4\n0.7,0.1,0.8\n")
+        self.assertRegex(self.succeed(*run, "--input", "p.csv", "--period", "1,1,1"),
+                         r"(?m)^sites +4; x, y, z are in nm, and so is the period$")
+
     def test_check_reads_the_same_table(self):
         self.write("e.csv", table(self.NAMES[1], ";", True, "\n", False))
         self.succeed("mesh", "--sites", 3, "--areas", "e.csv:ecd", "--max-iterations", 2, "-o", "t.obj")
@@ -103,6 +120,42 @@ class Forms(TableTest):
             self.refuse(2, "e.csv", "mesh", *option, "--force", "-o", "e.csv")
 
 
+class Untidy(TableTest):
+    """Tables as programs write them; the circles have the sizes of ROWS."""
+
+    def assert_read(self, text, input_name="u.csv", sizes="u.csv"):
+        self.write("u.csv", text)
+        circles = [math.pi / 4 * row[2] ** 2 for row in ROWS]
+        for row, wanted, area in zip(self.cells("--input", input_name, "--areas", sizes), ROWS, circles, strict=True):
+            self.assertAlmostEqual(float(row["x"]), wanted[0], 9)
+            self.assertAlmostEqual(float(row["y"]), wanted[1], 9)
+            self.assertAlmostEqual(float(row["area"]), area / sum(circles), 6)
+
+    def test_tables_of_other_programs(self):
+        rows = [(k, x, y, d, math.pi / 4 * d * d) for k, (x, y, d, *_) in enumerate(ROWS, 1)]
+        # ImageJ, with commas and with tabs.
+        for mark in (",", "\t"):
+            self.assert_read(mark.join((" ", "Area", "Mean", "X", "Y", "Feret")) + "\n" +
+                             "".join(mark.join(map(str, (k, a, 128, x, y, 1))) + "\n" for k, x, y, _, a in rows))
+        # pandas with its index, without and with quotes; a tab behind each row.
+        self.assert_read(",x,y,diameter,phase\n" + "".join(f"{k - 1},{x},{y},{d},Ferrite\n" for k, x, y, d, _ in rows))
+        self.assert_read('"","x","y","diameter"\n' + "".join(f'"{k}","{x}","{y}","{d}"\n' for k, x, y, d, _ in rows))
+        self.assert_read("x\ty\tdiameter\t\n" + "".join(f"{x}\t{y}\t{d}\t\n" for _, x, y, d, _ in rows))
+        self.assert_read("x\ty\tdiameter\n" + "".join(f"{x}\t{y}\t{d}\t\n" for _, x, y, d, _ in rows))
+        # numpy.savetxt, whose header is a comment.
+        self.assert_read("# x y d\n" + "".join(f"{x:.18e} {y:.18e} {d:.18e}\n" for _, x, y, d, _ in rows), "u.csv:1,2",
+                         "diameter:u.csv:3")
+        # A spreadsheet in German in the encoding of Windows.
+        german = "Korn;X (\u00b5m);Y (\u00b5m);Fl\u00e4che (\u00b5m\u00b2)\r\n" + "".join(
+            f"{k};{x};{y};{a:.9f}\r\n".replace(".", ",") for k, x, y, _, a in rows)
+        self.assert_read(german.encode("cp1252"), sizes="area:u.csv:4")
+        self.assert_read(german.encode("utf-8-sig"), sizes="area:u.csv:Fl\u00e4che")
+        # Oxford: degrees.
+        self.write("o.csv", "Id,Mean Orientation Phi1 (\u00b0),Mean Orientation PHI (\u00b0),Mean Orientation Phi2 (\u00b0)\n" +
+                   "".join(f"{k},1,2,3\n" for k in range(12)))
+        self.assertEqual(self.cells("--sites", 12, "--orientations", "o.csv")[5]["Phi"], "2")
+
+
 class WrongTables(TableTest):
     def assert_refused(self, option, text, words, name="e.csv"):
         self.write("e.csv", text)
@@ -121,8 +174,12 @@ class WrongTables(TableTest):
                 ("id;ECD\n1;0,5\n2;0.5\n", "^e.csv:3: column 'ECD': '0.5' has a decimal point, .* line 2 .*; write all"),
                 ("id;ECD\n1;1,234\n2;2,345\n", "^e.csv:2: the comma may be a decimal mark or stand between thousands; "),
                 ("id,Area,ECD\n1,2,3\n", "^e.csv:1: both column 'Area' and column 'ECD' hold sizes; name one, such as e.csv:Area"),
-                ("id,size\n1,2\n", "^e.csv:1: no column is called area or diameter; name the column"),
-                ("size\n1\n", "^e.csv:1: column 'size' may hold areas or diameters; write area:e.csv or diameter:e.csv"),
+                ("id,size\n1,2\n", "^e.csv:1: no column is called area or diameter; name the column of sizes of 'id', 'size': --areas "
+                                   "area:e.csv:size or --areas diameter:e.csv:size$"),
+                ("id,ECD\n1,2\n2,1 234.5\n", "^e.csv:3: column 'ECD': '1 234.5' is not a number; write no separators of thousands$"),
+                ("Grains,\nid,ECD\n1,2\n", r"^e.csv:1: .* \(if this is a title, remove the lines above the header\)"),
+                ("id,ECD\n-,um\n1,2\n", "^e.csv:2: column 'ECD': 'um' is not a number; remove the row, or put units in brackets"),
+                ("size\n1\n", "^e.csv:1: column 'size' may hold areas or diameters; write --areas area:e.csv or --areas diameter:e.csv"),
                 ("id,Volume\n1,2\n", "^e.csv:1: cells in the plane have areas, not volumes; name the column"),
                 ("0,5\n0,7\n", "^e.csv:1: '0,5' is not a number; write a decimal point, or .* name a column"),
                 ("id,\"ECD\n1,2\n", "^e.csv:1: a quote is not closed; ")):
@@ -143,6 +200,29 @@ class WrongTables(TableTest):
                     ("0,1 0,2\n", "^e.csv:1: '0,1' is not a number; use a decimal point, and blanks between")):
                 self.assert_refused(option, text, words)
             self.assert_refused(option, "x,y\n0.1,0.2\n", "^e.csv:1: a site has 2 coordinates, 1 column is named; ", "e.csv:x")
+
+    def test_suggestions_can_be_pasted(self):
+        """What a message suggests behind the option is read."""
+        german = "Korn-Nr.;Mittlerer Durchmesser (\u00b5m);Fl\u00e4che;X-Koordinate;Y-Koordinate;Phase\n1;0,5;0,2;0,1;0,2;a\n2;0,6;0,3;0,7;0,8;b\n"
+        for encoding in ("utf-8", "cp1252"):
+            self.write("my grains.csv", german.encode(encoding))
+            for option in ("--input", "--areas"):
+                sites = () if option == "--input" else ("--sites", 2)
+                line = self.run_pcvt("mesh", *sites, option, "my grains.csv").stderr.decode()
+                found = re.findall(r"'((?:\w+:)?my grains\.csv:[^']*)'", line)
+                self.assertEqual(len(found), 1 if option == "--input" else 2, line)
+                for name in found:
+                    self.succeed("mesh", *sites, option, name, "--max-iterations", 0)
+
+    def test_lengths_of_other_units_than_the_sites_are_refused(self):
+        self.write("e.csv", "x (mm),y (mm),R (um),w (um),weight (um)\n0.1,0.2,0.1,0.01,0.01\n0.6,0.7,0.2,0.04,0.01\n")
+        run = ("mesh", "--input", "e.csv:x,y", "--max-iterations", 0, "--weights")
+        for name in ("e.csv:R", "radius:e.csv:w", "diameter:e.csv:w"):
+            self.refuse(2, "^e.csv:1: the unit of the lengths is um, but that of the sites mm; give both in one unit$", *run, name)
+        # The unit of weights is that of lengths squared.
+        self.succeed(*run, "e.csv:weight")
+        self.write("plain.csv", "R\n0.1\n0.2\n")
+        self.succeed(*run, "plain.csv")
 
     def test_orientations(self):
         for text, words in (

@@ -132,6 +132,7 @@ class Weights(TableTest):
         self.write("m.csv", CIRCLES.replace("R (um)", "size"))
         for k, name in enumerate(("s.csv", "s.csv:R", "diameter:d.txt", "w.txt", "weight:w.txt", "radius:m.csv:size")):
             self.succeed(*self.run_fixed, "--weights", name, "--cells", f"c{k}.csv")
+            self.assertIn("# The power cells (Laguerre cells) of one period", self.path(f"c{k}.csv").read_text())
             for row, radius in zip(self.table(f"c{k}.csv"), (0.20, 0.28, 0.25, 0.15), strict=True):
                 self.assertAlmostEqual(float(row["weight"]), radius ** 2, delta=1e-16)
         self.assertEqual(self.path("c0.csv").read_bytes(), self.path("c1.csv").read_bytes())
@@ -196,6 +197,31 @@ class Weights(TableTest):
                        r"the line, or give larger weights$", *run)
         self.write("h.csv", one.replace("\n0.21", "\n0.2,0.5,0.05\n0.21"))
         self.refuse(2, r"^h\.csv:4: the cell of this site is empty", *run, "--duplicates", "drop")
+
+    def near_empty_radius(self, *options):
+        """Returns the smallest radius of the second site of which there are files, and the lines of those below it."""
+        low, high, lines = 0.1, 0.2, set()
+        for _ in range(60):
+            radius = (low + high) / 2
+            self.write("n.csv", f"x,y,r\n0.5,0.5,0.1\n\n0.3,0.2,{radius!r}\n0.2,0.2,0.3\n0.8,0.2,0.1\n0.3,0.8,0.1\n")
+            done = self.run_pcvt("mesh", "--input", "n.csv:x,y", "--weights", "n.csv", "--max-iterations", 0, "-o", "n.obj",
+                                 "--force", "--quiet", *options)
+            if done.returncode == 0:
+                high = radius
+            else:
+                low = radius
+                lines.add((done.returncode, done.stderr.decode()))
+        return high, lines
+
+    def test_cells_that_are_nearly_empty_are_named_by_their_lines(self):
+        tiny = ("n.csv:4: the cell of this site is nearly empty, smaller than 1e-9 of the spacing, because the weights of others reach "
+                "over it; remove the line, or give a larger weight\n")
+        for walls in ((), ("--walls", "y")):
+            _, lines = self.near_empty_radius(*walls)
+            self.assertIn((2, tiny), lines)
+        _, lines = self.near_empty_radius("--mesh", "grains")
+        thin = r"^pcvt: n\.csv:\d: the cell of this site is too thin to be meshed by grains; change its weight or .* --mesh voronoi\n$"
+        self.assertTrue([line for code, line in lines if code == 4 and re.match(thin, line)], lines)
 
     def test_wrong_weights_are_one_line(self):
         for text, words in (("1\n2\n", r"w\.txt:2: the last of 2 weights, but there are 4 sites; give one weight"),
