@@ -47,14 +47,18 @@ SizeNewton<Diagram>::SizeNewton(const Moving& moving, Workers& workers, WeightOr
 /// Chooses the weights at which the iteration begins.
 template <class Diagram>
 void SizeNewton<Diagram>::begin(double least_target) {
-    here_.start();
     if (here_.weights().size() == here_.n_sites()) {
-        if (here_.set_weights(here_.weights()) &&
-            here_.sizes().minCoeff() >= detail::kSmallestWarmCell * least_target) {
-            return;
+        Eigen::VectorXd warm = here_.weights();
+        for (int k = 0; k < Diagram::kWarmTrials; ++k) {
+            here_.start();
+            if (here_.set_weights(warm) &&
+                here_.sizes().minCoeff() >= detail::kSmallestWarmCell * least_target) {
+                return;
+            }
+            warm /= 2;
         }
-        here_.start();
     }
+    here_.start();
     here_.set_weights(Eigen::VectorXd::Zero(here_.n_sites()));
 }
 

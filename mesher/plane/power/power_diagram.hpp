@@ -26,6 +26,8 @@ class PowerDiagram {
     using Moving = MovingDelaunay;
     /// Roundings of weights, and of the heights that follow from them, add up in one area: 64.
     static constexpr double kSizeRounding = 64 * kUnitRoundoff;
+    /// Weights of an earlier call are tried as they are.
+    static constexpr int kWarmTrials = 1;
 
     /// Both arguments must outlive this object; `delaunay` is restored and may move between calls
     /// of start().
