@@ -139,31 +139,29 @@ int TetrahedraFlips::facet_opposite_to(int tetrahedron, const Corner& corner, Of
     return 4 * tetrahedron + 3;
 }
 
-/// Both lists of exchanged tetrahedra are in the frames of their first corners.
-void TetrahedraFlips::note_exchanged(const std::vector<Tetrahedron>& removed,
-                                     const std::vector<Tetrahedron>& added) {
-    exchanged_.removed.insert(exchanged_.removed.end(), removed.begin(), removed.end());
-    for (Tetrahedron t : added) {
-        const Offset frame = t[0].offset;
-        for (Corner& corner : t) corner.offset = corner.offset - frame;
-        exchanged_.added.push_back(t);
-    }
-}
-
 /// A facet between the new tetrahedra of five points stays because the old one did not.
-bool TetrahedraFlips::replace(const std::vector<TorusTetrahedra::Placed>& old,
-                              const std::vector<Tetrahedron>& fresh,
+bool TetrahedraFlips::replace(std::initializer_list<TorusTetrahedra::Placed> old,
+                              std::initializer_list<Tetrahedron> fresh,
                               std::initializer_list<int> suspects) {
     for (const auto& [p, q, r, s] : fresh) {
         if (turn(p, q, r, s) <= 0) return false;
     }
-    std::vector<Tetrahedron> removed;
-    for (const auto& placed : old) removed.push_back(tetrahedra_.tetrahedron(placed.number));
-    const auto changed = tetrahedra_.replace(old, fresh);
-    if (changed.empty()) return false;
-    note_exchanged(removed, fresh);
-    for (std::size_t k = 0; k < changed.size(); ++k) {
-        const int t = changed[k];
+    const std::size_t n_removed = exchanged_.removed.size();
+    for (const auto& placed : old) {
+        exchanged_.removed.push_back(tetrahedra_.tetrahedron(placed.number));
+    }
+    if (!tetrahedra_.replace({old.begin(), old.size()}, {fresh.begin(), fresh.size()}, changed_)) {
+        exchanged_.removed.resize(n_removed);
+        return false;
+    }
+    // Both lists of exchanged tetrahedra are in the frames of their first corners.
+    for (Tetrahedron t : fresh) {
+        const Offset frame = t[0].offset;
+        for (Corner& corner : t) corner.offset = corner.offset - frame;
+        exchanged_.added.push_back(t);
+    }
+    for (std::size_t k = 0; k < changed_.size(); ++k) {
+        const int t = changed_[k];
         if (k < fresh.size()) {
             for (const int f : suspects) queue_.push_back(4 * t + f);
         } else {
@@ -171,7 +169,7 @@ bool TetrahedraFlips::replace(const std::vector<TorusTetrahedra::Placed>& old,
         }
     }
     ++n_flips_;
-    if (after_flip_) after_flip_(changed);
+    if (after_flip_) after_flip_(changed_);
     return true;
 }
 

@@ -3,7 +3,6 @@
 #include <array>
 #include <functional>
 #include <initializer_list>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -77,17 +76,17 @@ class TetrahedraFlips {
     /// The facet of a tetrahedron, placed in a frame, opposite to one of its corners.
     int facet_opposite_to(int tetrahedron, const Corner& corner, Offset frame) const;
     int turn(const Corner& p, const Corner& q, const Corner& r, const Corner& s) const;
-    void note_exchanged(const std::vector<Tetrahedron>& removed,
-                        const std::vector<Tetrahedron>& added);
     /// @param suspects  the facets of each new tetrahedron that may not stay.
-    bool replace(const std::vector<TorusTetrahedra::Placed>& old,
-                 const std::vector<Tetrahedron>& fresh, std::initializer_list<int> suspects);
+    bool replace(std::initializer_list<TorusTetrahedra::Placed> old,
+                 std::initializer_list<Tetrahedron> fresh, std::initializer_list<int> suspects);
 
     TorusTetrahedra& tetrahedra_;
     const Points& coordinates_;
     Gram gram_;
     Observer after_flip_;
     std::vector<int> queue_;
+    /// Of the last flip.
+    std::vector<int> changed_;
     ExchangedTetrahedra exchanged_;
     std::int64_t n_flips_ = 0;
 };

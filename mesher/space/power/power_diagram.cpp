@@ -60,8 +60,15 @@ std::optional<SiteId> PowerDiagram::site_without_cell(const Eigen::VectorXd& wei
 PowerDiagram::Outcome PowerDiagram::flip_to(const Eigen::VectorXd& weights) {
     const WeightedTetrahedra weighted{*tetrahedra_, moving_->coordinates(), moving_->frame(),
                                       weights};
-    const std::vector<int> suspects = measure_volumes(weighted, *workers_, volumes_);
+    std::vector<int> suspects = measure_volumes(weighted, *workers_, volumes_);
     if (suspects.empty()) return Outcome::kRegular;
+    // The facets at cells of negative volume come last, where the flips begin: a hidden site is
+    // found before the other facets are flipped.
+    const auto is_at_cell = [&](int f) {
+        const Tetrahedron t = tetrahedra_->tetrahedron(f / 4);
+        return std::all_of(t.begin(), t.end(), [&](const Corner& c) { return volumes_[c.site] > 0; });
+    };
+    std::stable_partition(suspects.begin(), suspects.end(), is_at_cell);
     // The predicates see only differences of weights; the mean keeps them small.
     Eigen::VectorXd gram_weights =
         (weights.array() - weights.mean()) * moving_->frame().gram_per_square;
