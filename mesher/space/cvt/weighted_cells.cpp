@@ -24,6 +24,9 @@ void require_weights(const Eigen::VectorXd& weights, Eigen::Index n_sites) {
     if (!weights.allFinite()) throw InvalidInput("a weight is not finite; correct it");
 }
 
+/// Weights this far below the largest one, in squares of MovingTetrahedra::unit(), hide their sites.
+constexpr double kLowest = -1e300;
+
 /// The weights of sites in the order and the unit of their tetrahedra, less the largest one, so
 /// that a common summand is of no effect.
 Eigen::VectorXd ordered_weights(const MovingTetrahedra& moving, const Eigen::VectorXd& weights) {
@@ -31,7 +34,7 @@ Eigen::VectorXd ordered_weights(const MovingTetrahedra& moving, const Eigen::Vec
     const double unit = moving.unit();
     Eigen::VectorXd ordered(weights.size());
     for (SiteId s = 0; s < moving.n_sites(); ++s) {
-        ordered[s] = (weights[moving.original_id(s)] - largest) / unit / unit;
+        ordered[s] = std::max((weights[moving.original_id(s)] - largest) / unit / unit, kLowest);
     }
     return ordered;
 }

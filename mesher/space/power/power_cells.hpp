@@ -66,7 +66,7 @@ struct PowerCells {
 ///
 /// Laws, tested by number, for regular triangulations:
 ///   (1) Volumes, gradient and energy are those of the polyhedra.
-///   (2) The volumes sum to the volume of the domain, for any triangulation.
+///   (2) The volumes sum to the volume of the domain.
 ///   (3) The derivative of the volumes by the weights is minus the Laplacian of the graph.
 ///   (4) Every bit is the same for any number of workers.
 ///   (5) A facet that is not among the suspects is locally regular.

@@ -69,9 +69,7 @@ PowerDiagram::Outcome PowerDiagram::flip_to(const Eigen::VectorXd& weights) {
         return std::all_of(t.begin(), t.end(), [&](const Corner& c) { return volumes_[c.site] > 0; });
     };
     std::stable_partition(suspects.begin(), suspects.end(), is_at_cell);
-    // The predicates see only differences of weights; the mean keeps them small.
-    Eigen::VectorXd gram_weights =
-        (weights.array() - weights.mean()) * moving_->frame().gram_per_square;
+    Eigen::VectorXd gram_weights = weights * moving_->frame().gram_per_square;
     for (double& w : gram_weights) w = rounded_weight(w);
     PowerFlips flips(*tetrahedra_, moving_->coordinates(), moving_->frame().gram, gram_weights);
     const bool done = flips.flip(suspects);
@@ -132,6 +130,7 @@ bool PowerDiagram::set_weights(Eigen::VectorXd weights) {
     weights_ = std::move(weights);
     hidden_.reset();
     if (!weights_.allFinite()) return false;
+    if (weights_.maxCoeff() * moving_->frame().gram_per_square >= kLargestWeight) return false;
     hidden_ = site_without_cell(weights_);
     const bool regular = !hidden_ && go_to(weights_);
     base_.reset();

@@ -56,9 +56,11 @@ class PowerDiagram {
     void start(const PowerDiagram& other);
 
     /// Makes the tetrahedra regular for the weights, and measures the cells.
-    /// @param weights  in the order of `moving`, units^2.
-    /// @returns false if a weight is not finite or a site is hidden; only weights() and
-    ///          hidden_site() are of use before the next start() then.
+    /// @param weights  in the order of `moving`, units^2. Only differences count; the largest weight
+    ///                 should not be far from zero.
+    /// @returns false if a weight is not finite or above kLargestWeight in the unit of the
+    ///          predicates, or if a site is hidden; only weights() and hidden_site() are of use
+    ///          before the next start() then.
     bool set_weights(Eigen::VectorXd weights);
     /// The hidden site, in the order of `moving`, at which the last call of set_weights() ended.
     std::optional<SiteId> hidden_site() const { return hidden_; }
