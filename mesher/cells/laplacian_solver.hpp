@@ -57,7 +57,10 @@ class LaplacianSolver {
     };
 
     static Level finest_level(const CellGraph& graph);
-    static std::vector<int> match_pairs(const Level& level, int& n_pairs);
+    static int bound_partner(const Level& level, int row);
+    static std::vector<int> match_pairs(const Level& level, const std::vector<bool>& single,
+                                        int& n_pairs);
+    static std::vector<bool> bound_pairs(const Level& fine, const Level& pairs);
     static Level merged(const Level& fine, const std::vector<int>& aggregate, int n_coarse);
     static void finish_row(Level& level);
     static void multiply(const Level& level, const Eigen::VectorXd& x, Eigen::VectorXd& y);
