@@ -84,18 +84,20 @@ int LaplacianSolver::bound_partner(const Level& level, int row) {
     return share * kBoundPair < 1 ? partner : -1;
 }
 
-/// Pairs each row with the remaining neighbour of the largest conductance, bound pairs first.
+/// Pairs each row with the remaining neighbour of the largest conductance; with kStrong, bound pairs
+/// first, and rows without a remaining neighbour join that of the largest conductance.
 /// @param single  rows that get no partner; empty: none.
 std::vector<int> LaplacianSolver::match_pairs(const Level& level, const std::vector<bool>& single,
-                                              int& n_pairs) {
+                                              int& n_pairs) const {
     std::vector<int> pair(static_cast<std::size_t>(level.n_rows()), -1);
     const auto is_single = [&](int row) { return !single.empty() && single[std::size_t(row)]; };
     n_pairs = 0;
-    for (int row = 0; row < level.n_rows(); ++row) {
+    for (int row = 0; row < level.n_rows() && aggregation_ == Aggregation::kStrong; ++row) {
         const int partner = is_single(row) ? -1 : bound_partner(level, row);
         if (partner < row || is_single(partner) || bound_partner(level, partner) != row) continue;
         pair[row] = pair[partner] = n_pairs++;
     }
+    std::vector<int> left;
     for (int row = 0; row < level.n_rows(); ++row) {
         checkpoint_each(row);
         if (pair[row] >= 0) continue;
@@ -107,9 +109,24 @@ std::vector<int> LaplacianSolver::match_pairs(const Level& level, const std::vec
             strongest = level.conductance[k];
             partner = level.column[k];
         }
+        if (partner < 0 && aggregation_ == Aggregation::kStrong && !is_single(row)) {
+            left.push_back(row);
+            continue;
+        }
         pair[row] = n_pairs;
         if (partner >= 0) pair[partner] = n_pairs;
         ++n_pairs;
+    }
+    for (const int row : left) {
+        int neighbour = -1;
+        float strongest = 0;
+        for (int k = level.row_begin[row]; k < level.row_begin[row + 1]; ++k) {
+            const int column = level.column[k];
+            if (level.conductance[k] <= strongest || pair[column] < 0 || is_single(column)) continue;
+            strongest = level.conductance[k];
+            neighbour = column;
+        }
+        pair[row] = neighbour >= 0 ? pair[neighbour] : n_pairs++;
     }
     return pair;
 }
@@ -168,7 +185,8 @@ LaplacianSolver::Level LaplacianSolver::merged(const Level& fine, const std::vec
     return coarse;
 }
 
-LaplacianSolver::LaplacianSolver(const CellGraph& graph) {
+LaplacianSolver::LaplacianSolver(const CellGraph& graph, Aggregation aggregation)
+    : aggregation_(aggregation) {
     levels_.push_back(finest_level(graph));
     while (levels_.back().n_rows() > kCoarsest) {
         Level& fine = levels_.back();
@@ -176,7 +194,9 @@ LaplacianSolver::LaplacianSolver(const CellGraph& graph) {
         fine.aggregate = match_pairs(fine, {}, n_pairs);
         const Level pairs = merged(fine, fine.aggregate, n_pairs);
         int n_coarse = 0;
-        const std::vector<int> second = match_pairs(pairs, bound_pairs(fine, pairs), n_coarse);
+        std::vector<bool> bound;
+        if (aggregation_ == Aggregation::kStrong) bound = bound_pairs(fine, pairs);
+        const std::vector<int> second = match_pairs(pairs, bound, n_coarse);
         if (n_coarse > (1 - kLeastReduction) * fine.n_rows()) break;
         for (int& a : fine.aggregate) a = second[a];
         levels_.push_back(merged(pairs, second, n_coarse));

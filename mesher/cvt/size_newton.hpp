@@ -5,6 +5,7 @@
 
 #include "mesher/base/workers.hpp"
 #include "mesher/cells/cell_graph.hpp"
+#include "mesher/cells/laplacian_solver.hpp"
 #include "mesher/cells/weight_orbits.hpp"
 
 namespace pcvt {
@@ -53,6 +54,7 @@ using NewtonCallback = std::function<void(const SizeFigures&)>;
 ///   graph()                    the adjacency of the cells
 ///   kSizeRounding              the relative rounding of weights, and of lengths that follow from
 ///                              them, that adds up in one size
+///   kAggregation               the argument of LaplacianSolver
 ///   kWarmTrials                how often weights of an earlier call, then halves of them, are tried
 ///                              at the beginning
 ///

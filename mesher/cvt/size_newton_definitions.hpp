@@ -97,7 +97,7 @@ bool SizeNewton<Diagram>::step(const Eigen::VectorXd& targets, double tolerance,
                                SizeFigures& figures) {
     const Eigen::VectorXd error = targets - here_.sizes();
     const Eigen::VectorXd error_of_orbits = orbits_.sums(error);
-    LaplacianSolver solver(graph());
+    LaplacianSolver solver(graph(), Diagram::kAggregation);
     Eigen::VectorXd direction;
     const double least_error = tolerance * targets.minCoeff() * std::sqrt(double(targets.size()));
     double accuracy = std::max(detail::kPerError * error.norm() / targets.norm(),

@@ -79,6 +79,7 @@ class VolumeRun {
         return original_order(newton_.sizes()) * std::pow(moving_.unit(), 3);
     }
     const SizeFigures& figures() const { return figures_; }
+    double largest_error() const { return largest_error_; }
     const PowerDiagram& diagram() const { return newton_.diagram(); }
 
    private:
@@ -102,6 +103,7 @@ class VolumeRun {
     PowerCells cells_;
     SizeFigures figures_;
     double tolerance_;
+    double largest_error_ = 0;
 };
 
 /// Finds the weights at the present position, and the figures of the cells.
@@ -109,7 +111,8 @@ RunStatistics VolumeRun::measure(const Eigen::VectorXd& targets, int step) {
     const SizeFigures now = newton_.solve(targets, tolerance_, options_.newton_progress);
     figures_.largest_relative_error = now.largest_relative_error;
     figures_.rounding = now.rounding;
-    figures_.converged = now.converged;
+    largest_error_ = (newton_.sizes() - targets).cwiseAbs().maxCoeff() / targets.mean();
+    figures_.converged = now.converged || largest_error_ <= tolerance_;
     figures_.newton_steps += now.newton_steps;
     figures_.products += now.products;
     figures_.trials += now.trials;
@@ -117,7 +120,7 @@ RunStatistics VolumeRun::measure(const Eigen::VectorXd& targets, int step) {
     const auto [largest, rms] =
         residuals(cells_.gradient, cells_.mass, moving_.spacing(), workers_);
     const bool at_rest = largest <= options_.run.tolerance;
-    return {.stop = !now.converged ? Stop::kStalled
+    return {.stop = !figures_.converged ? Stop::kStalled
                                    : (at_rest ? Stop::kConverged : Stop::kIterationLimit),
             .iterations = step,
             .evaluations = step + 1,
@@ -187,6 +190,7 @@ VolumeCvtResult compute_volume_cvt(const Lattice& lattice, const Points& points,
             .cell_volumes = std::move(cell_volumes),
             .run = statistics,
             .volumes = run.figures(),
+            .largest_error = run.largest_error(),
             .counts = run.diagram().counts(),
             .n_rebuilds = n_rebuilds};
 }

@@ -72,7 +72,7 @@ class TorusTetrahedra {
     int opposite(int f) const { return opposite_[f]; }
     void fetch_opposite(int f) const { prefetch(&opposite_[f]); }
     /// Corner f % 4 of tetrahedron f / 4.
-    Corner corner(int f) const { return {sites_[f], offset(f)}; }
+    [[gnu::always_inline]] Corner corner(int f) const { return {sites_[f], offset(f)}; }
     Tetrahedron tetrahedron(int t) const {
         return {corner(4 * t), corner(4 * t + 1), corner(4 * t + 2), corner(4 * t + 3)};
     }

@@ -73,32 +73,6 @@ void add_up_slabs(const Slabs& slabs, int n_sites, Workers& workers, const Take&
     });
 }
 
-/// The volumes and the suspects of one task.
-struct VolumeSlab {
-    SlabRange range;
-    SlabSums<double> sums = {};
-    std::vector<int> suspects = {};
-};
-
-void run_slab(const WeightedTetrahedra& weighted, VolumeSlab& slab, FacetHeights& heights) {
-    slab.sums.clear(weighted.tetrahedra.n_sites());
-    const SiteId* const sites = weighted.tetrahedra.corner_sites().data();
-    for_each_block<false>(weighted, slab.range, [&](const PowerBlock& block, int first, int n) {
-        heights.keep(first, block.height);
-        const SiteId* site = sites + 4 * std::size_t(first);
-        for (int k = 0; k < n; ++k, site += 4) {
-            for (int c = 0; c < 4; ++c) {
-                const int place = slab.sums.place(site[c]);
-                slab.sums.data()[place] += block.volume[c][k];
-            }
-            if (block.certain[k] > 0) continue;
-            for (int c = 0; c < 4; ++c) {
-                if (!(block.height[c][k] > 0)) slab.suspects.push_back(4 * (first + k) + c);
-            }
-        }
-    });
-}
-
 /// The gradient and the volume of a cell.
 struct CellMoments {
     std::array<double, 4> value{};
@@ -142,23 +116,58 @@ std::vector<Slab> slabs_for(const WeightedTetrahedra& weighted) {
 
 }  // namespace
 
-std::vector<int> measure_volumes(const WeightedTetrahedra& weighted, Workers& workers,
+/// The volumes and the suspects of one task.
+struct VolumeSums::Slab {
+    SlabRange range = {};
+    SlabSums<double> sums = {};
+    std::vector<int> suspects = {};
+
+    void run(const WeightedTetrahedra& weighted, FacetHeights& heights);
+};
+
+void VolumeSums::Slab::run(const WeightedTetrahedra& weighted, FacetHeights& heights) {
+    sums.clear(weighted.tetrahedra.n_sites());
+    suspects.clear();
+    const SiteId* const sites = weighted.tetrahedra.corner_sites().data();
+    for_each_block<false>(weighted, range, [&](const PowerBlock& block, int first, int n) {
+        heights.keep(first, block.height);
+        const SiteId* site = sites + 4 * std::size_t(first);
+        for (int k = 0; k < n; ++k, site += 4) {
+            for (int c = 0; c < 4; ++c) {
+                const int place = sums.place(site[c]);
+                sums.data()[place] += block.volume[c][k];
+            }
+            if (block.certain[k] > 0) continue;
+            for (int c = 0; c < 4; ++c) {
+                if (!(block.height[c][k] > 0)) suspects.push_back(4 * (first + k) + c);
+            }
+        }
+    });
+}
+
+VolumeSums::VolumeSums() = default;
+VolumeSums::~VolumeSums() = default;
+VolumeSums::VolumeSums(VolumeSums&&) noexcept = default;
+VolumeSums& VolumeSums::operator=(VolumeSums&&) noexcept = default;
+
+std::vector<int> VolumeSums::run(const WeightedTetrahedra& weighted, Workers& workers,
                                  Eigen::VectorXd& volumes) {
-    auto slabs = slabs_for<VolumeSlab>(weighted);
-    const auto n_slabs = static_cast<int>(slabs.size());
-    FacetHeights heights;
-    heights.resize(weighted.tetrahedra.n_tetrahedra());
-    workers.for_each(n_slabs, [&](int k) { run_slab(weighted, slabs[k], heights); });
+    const std::vector<SlabRange> ranges = slabs_of(weighted.tetrahedra.n_tetrahedra());
+    const auto n_slabs = static_cast<int>(ranges.size());
+    slabs_.resize(ranges.size());
+    for (int k = 0; k < n_slabs; ++k) slabs_[k].range = ranges[k];
+    heights_.resize(weighted.tetrahedra.n_tetrahedra());
+    workers.for_each(n_slabs, [&](int k) { slabs_[k].run(weighted, heights_); });
     workers.for_each(n_slabs, [&](int k) {
-        heights.remove_certain(weighted.tetrahedra, slabs[k].suspects);
+        heights_.remove_certain(weighted.tetrahedra, slabs_[k].suspects);
     });
     const int n_sites = weighted.tetrahedra.n_sites();
     volumes.resize(n_sites);
-    add_up_slabs<double>(slabs, n_sites, workers, [&](int first, int n, const auto& total) {
+    add_up_slabs<double>(slabs_, n_sites, workers, [&](int first, int n, const auto& total) {
         std::copy_n(total.begin(), n, volumes.data() + first);
     });
     std::vector<int> suspects;
-    for (const VolumeSlab& slab : slabs) {
+    for (const Slab& slab : slabs_) {
         suspects.insert(suspects.end(), slab.suspects.begin(), slab.suspects.end());
     }
     return suspects;
@@ -230,51 +239,58 @@ struct Contribution {
     double conductance;
 };
 
-/// Computes the conductances of all tetrahedra, six each.
-std::vector<double> all_conductances(const WeightedTetrahedra& regular, Workers& workers) {
-    const std::vector<SlabRange> slabs = slabs_of(regular.tetrahedra.n_tetrahedra());
-    std::vector<double> all(6 * std::size_t(regular.tetrahedra.n_tetrahedra()));
-    workers.for_each(static_cast<int>(slabs.size()), [&](int s) {
-        for_each_block<false>(regular, slabs[s], [&](const PowerBlock& block, int first, int n) {
-            double* to = all.data() + 6 * std::size_t(first);
-            for (int k = 0; k < n; ++k) {
-                for (int e = 0; e < 6; ++e) *to++ = block.conductance[e][k];
-            }
-        });
-    });
-    return all;
-}
-
 /// The sums of contributions by pair of sites: those of row i are the neighbours above i.
 struct UpperGraph {
     std::vector<int> row_begin{0};
     std::vector<Contribution> entries;
 };
 
-/// Merges the contributions before they are rounded: single ones may be negative.
-UpperGraph merged_contributions(const TorusTetrahedra& t, const std::vector<double>& conductance) {
-    const std::span<const SiteId> sites = t.corner_sites();
-    const auto ends = [&](std::size_t k) {
-        const auto [a, b] = PowerBlock::kEdges[k % 6];
-        return std::minmax(sites[4 * (k / 6) + std::size_t(a)], sites[4 * (k / 6) + std::size_t(b)]);
-    };
-    std::vector<int> begin(static_cast<std::size_t>(t.n_sites()) + 2, 0);
-    for (std::size_t k = 0; k < conductance.size(); ++k) ++begin[std::size_t(ends(k).first) + 2];
-    for (std::size_t s = 2; s < begin.size(); ++s) begin[s] += begin[s - 1];
-    std::vector<Contribution> sorted(conductance.size());
-    for (std::size_t k = 0; k < conductance.size(); ++k) {
-        checkpoint_each(static_cast<long>(k), 1 << 14);
-        const auto [low, high] = ends(k);
-        sorted[begin[std::size_t(low) + 1]++] = {high, conductance[k]};
+/// The contributions of all tetrahedra: those of row i from begin[i] to begin[i + 1].
+struct Contributions {
+    std::vector<int> begin;
+    std::vector<Contribution> sorted;
+};
+
+Contributions all_contributions(const WeightedTetrahedra& regular) {
+    const TorusTetrahedra& t = regular.tetrahedra;
+    const SiteId* const sites = t.corner_sites().data();
+    // The counts are shifted by two entries: after the scatter begin[k] is the beginning of row k.
+    Contributions all{std::vector<int>(static_cast<std::size_t>(t.n_sites()) + 2, 0), {}};
+    for (int k = 0; k < t.n_tetrahedra(); ++k) {
+        checkpoint_each(k, 1 << 14);
+        for (const auto& [i, j] : PowerBlock::kEdges) {
+            ++all.begin[std::min(sites[4 * k + i], sites[4 * k + j]) + 2];
+        }
     }
+    for (std::size_t s = 2; s < all.begin.size(); ++s) all.begin[s] += all.begin[s - 1];
+    all.sorted.resize(6 * std::size_t(t.n_tetrahedra()));
+    int* const next = all.begin.data() + 1;
+    for (const SlabRange& slab : slabs_of(t.n_tetrahedra())) {
+        checkpoint();
+        for_each_block<false>(regular, slab, [&](const PowerBlock& block, int first, int n) {
+            const SiteId* site = sites + 4 * std::size_t(first);
+            for (int k = 0; k < n; ++k, site += 4) {
+                for (int e = 0; e < 6; ++e) {
+                    const auto [i, j] = PowerBlock::kEdges[e];
+                    const auto [low, high] = std::minmax(site[i], site[j]);
+                    all.sorted[next[low]++] = {high, block.conductance[e][k]};
+                }
+            }
+        });
+    }
+    return all;
+}
+
+/// Merges the contributions before they are rounded: single ones may be negative.
+UpperGraph merged_contributions(int n_sites, const Contributions& all) {
     UpperGraph upper;
-    upper.entries.reserve(static_cast<std::size_t>(t.n_tetrahedra() + t.n_sites()));
-    std::vector<int> place(static_cast<std::size_t>(t.n_sites()), -1);
-    for (SiteId s = 0; s < t.n_sites(); ++s) {
+    upper.entries.reserve(8 * static_cast<std::size_t>(n_sites));
+    std::vector<int> place(static_cast<std::size_t>(n_sites), -1);
+    for (SiteId s = 0; s < n_sites; ++s) {
         checkpoint_each(s);
         const int row = upper.row_begin.back();
-        for (int k = begin[s]; k < begin[s + 1]; ++k) {
-            const auto [to, part] = sorted[k];
+        for (int k = all.begin[s]; k < all.begin[s + 1]; ++k) {
+            const auto [to, part] = all.sorted[k];
             if (to == s) continue;
             if (place[to] < row) {
                 place[to] = static_cast<int>(upper.entries.size());
@@ -289,10 +305,9 @@ UpperGraph merged_contributions(const TorusTetrahedra& t, const std::vector<doub
 
 }  // namespace
 
-CellGraph cell_graph(const WeightedTetrahedra& regular, Workers& workers) {
-    const UpperGraph upper =
-        merged_contributions(regular.tetrahedra, all_conductances(regular, workers));
+CellGraph cell_graph(const WeightedTetrahedra& regular) {
     const int n_sites = regular.tetrahedra.n_sites();
+    const UpperGraph upper = merged_contributions(n_sites, all_contributions(regular));
     CellGraph graph;
     graph.row_begin.assign(static_cast<std::size_t>(n_sites) + 2, 0);
     std::vector<int>& begin = graph.row_begin;

@@ -7,6 +7,7 @@
 #include "mesher/cells/cell_graph.hpp"
 #include "mesher/space/delaunay/frame.hpp"
 #include "mesher/space/delaunay/tetrahedra_flips.hpp"
+#include "mesher/space/energy/facet_heights.hpp"
 
 namespace pcvt::space {
 
@@ -58,8 +59,9 @@ struct PowerCells {
 ///
 /// Example usage:
 ///
+///     VolumeSums sums;
 ///     Eigen::VectorXd volumes;
-///     const std::vector<int> suspects = measure_volumes(weighted, workers, volumes);
+///     const std::vector<int> suspects = sums.run(weighted, workers, volumes);
 ///     PowerCells cells;
 ///     measure_cells(weighted, workers, cells);
 ///     const Vec3 to_centroid = -cells.gradient.segment<3>(4 * i) / (2 * cells.mass[i]);
@@ -71,10 +73,24 @@ struct PowerCells {
 ///   (4) Every bit is the same for any number of workers.
 ///   (5) A facet that is not among the suspects is locally regular.
 ///
-/// @param volumes  resized to n, unit^3.
-/// @returns the facets that are not certainly locally regular, at least one side of each.
-std::vector<int> measure_volumes(const WeightedTetrahedra& weighted, Workers& workers,
-                                 Eigen::VectorXd& volumes);
+/// The object keeps its memory from call to call.
+class VolumeSums {
+   public:
+    VolumeSums();
+    ~VolumeSums();
+    VolumeSums(VolumeSums&&) noexcept;
+    VolumeSums& operator=(VolumeSums&&) noexcept;
+
+    /// @param volumes  resized to n, unit^3.
+    /// @returns the facets that are not certainly locally regular, at least one side of each.
+    std::vector<int> run(const WeightedTetrahedra& weighted, Workers& workers,
+                         Eigen::VectorXd& volumes);
+
+   private:
+    struct Slab;
+    std::vector<Slab> slabs_;
+    FacetHeights heights_;
+};
 
 /// Corrects volumes for tetrahedra that were exchanged, at a cost in proportion to their number.
 /// @returns false, with volumes that must not be used, if the contribution of a tetrahedron is so
@@ -86,6 +102,6 @@ bool correct_volumes(ExchangedTetrahedra exchanged, const WeightedTetrahedra& we
 void measure_cells(const WeightedTetrahedra& regular, Workers& workers, PowerCells& cells);
 
 /// Computes the adjacency of the cells; each neighbour of a cell occurs once.
-CellGraph cell_graph(const WeightedTetrahedra& regular, Workers& workers);
+CellGraph cell_graph(const WeightedTetrahedra& regular);
 
 }  // namespace pcvt::space

@@ -60,7 +60,7 @@ std::optional<SiteId> PowerDiagram::site_without_cell(const Eigen::VectorXd& wei
 PowerDiagram::Outcome PowerDiagram::flip_to(const Eigen::VectorXd& weights) {
     const WeightedTetrahedra weighted{*tetrahedra_, moving_->coordinates(), moving_->frame(),
                                       weights};
-    std::vector<int> suspects = measure_volumes(weighted, *workers_, volumes_);
+    std::vector<int> suspects = sums_.run(weighted, *workers_, volumes_);
     if (suspects.empty()) return Outcome::kRegular;
     // The facets at cells of negative volume come last, where the flips begin: a hidden site is
     // found before the other facets are flipped.
@@ -90,7 +90,7 @@ PowerDiagram::Outcome PowerDiagram::flip_to(const Eigen::VectorXd& weights) {
         correct_volumes(std::move(exchanged), weighted, volumes_)) {
         return Outcome::kRegular;
     }
-    measure_volumes(weighted, *workers_, volumes_);
+    sums_.run(weighted, *workers_, volumes_);
     return Outcome::kRegular;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesher/cells/cell_graph.hpp"
+#include "mesher/cells/laplacian_solver.hpp"
 #include "mesher/space/delaunay/moving_tetrahedra.hpp"
 #include "mesher/space/power/power_cells.hpp"
 
@@ -41,6 +42,7 @@ class PowerDiagram {
     using Moving = MovingTetrahedra;
     /// Roundings of weights, and of the heights that follow from them, add up in one volume: 64.
     static constexpr double kSizeRounding = 0x1p-47;
+    static constexpr auto kAggregation = LaplacianSolver::Aggregation::kStrong;
     /// Weights of earlier sites may hide some: halves of them are tried so often.
     static constexpr int kWarmTrials = 6;
 
@@ -68,7 +70,7 @@ class PowerDiagram {
     const Eigen::VectorXd& weights() const { return weights_; }
     /// The volumes of the cells, units^3.
     const Eigen::VectorXd& sizes() const { return volumes_; }
-    CellGraph graph() const { return cell_graph(regular(), *workers_); }
+    CellGraph graph() const { return cell_graph(regular()); }
 
     WeightedTetrahedra regular() const {
         return {*tetrahedra_, moving_->coordinates(), moving_->frame(), weights_};
@@ -95,6 +97,7 @@ class PowerDiagram {
     std::int64_t base_flips_unsorted_ = 0;
     Eigen::VectorXd weights_;
     Eigen::VectorXd volumes_;
+    VolumeSums sums_;
     std::optional<SiteId> hidden_;
     PowerCounts counts_;
 };
