@@ -84,8 +84,8 @@ int LaplacianSolver::bound_partner(const Level& level, int row) {
     return share * kBoundPair < 1 ? partner : -1;
 }
 
-/// Pairs each row with the remaining neighbour of the largest conductance; with kStrong, bound pairs
-/// first, and rows without a remaining neighbour join that of the largest conductance.
+/// Pairs each row with the remaining neighbour of the largest conductance; with kStrong, bound
+/// pairs first, and rows without a remaining neighbour join that of the largest conductance.
 /// @param single  rows that get no partner; empty: none.
 std::vector<int> LaplacianSolver::match_pairs(const Level& level, const std::vector<bool>& single,
                                               int& n_pairs) const {
@@ -122,7 +122,8 @@ std::vector<int> LaplacianSolver::match_pairs(const Level& level, const std::vec
         float strongest = 0;
         for (int k = level.row_begin[row]; k < level.row_begin[row + 1]; ++k) {
             const int column = level.column[k];
-            if (level.conductance[k] <= strongest || pair[column] < 0 || is_single(column)) continue;
+            if (level.conductance[k] <= strongest || pair[column] < 0 || is_single(column))
+                continue;
             strongest = level.conductance[k];
             neighbour = column;
         }

@@ -55,7 +55,8 @@ using NewtonCallback = std::function<void(const SizeFigures&)>;
 ///   kSizeRounding              the relative rounding of weights, and of lengths that follow from
 ///                              them, that adds up in one size
 ///   kAggregation               the argument of LaplacianSolver
-///   kWarmTrials                how often weights of an earlier call, then halves of them, are tried
+///   kWarmTrials                how often weights of an earlier call, then halves of them, are
+///   tried
 ///                              at the beginning
 ///
 /// Example usage:

@@ -14,8 +14,9 @@ namespace pcvt::testing {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Vertices = CGAL::Triangulation_vertex_base_with_info_3<
-    space::Corner, Kernel, CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
+using Vertices =
+    CGAL::Triangulation_vertex_base_with_info_3<space::Corner, Kernel,
+                                                CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
 using Structure =
     CGAL::Triangulation_data_structure_3<Vertices, CGAL::Regular_triangulation_cell_base_3<Kernel>>;
 using Regular = CGAL::Regular_triangulation_3<Kernel, Structure>;
@@ -32,8 +33,8 @@ Regular triangulated_copies(const space::Sites& sites, const Eigen::VectorXd& we
                     const space::Corner corner{s, {i, j, k}};
                     const space::Vec3 p =
                         reduced.to_position(image(sites.coordinates(), corner).at);
-                    copies.emplace_back(
-                        Kernel::Weighted_point_3({p.x(), p.y(), p.z()}, weights[s]), corner);
+                    copies.emplace_back(Kernel::Weighted_point_3({p.x(), p.y(), p.z()}, weights[s]),
+                                        corner);
                 }
             }
         }

@@ -33,7 +33,8 @@ inline Eigen::VectorXd lognormal_volumes(int n, double spread, double total,
                                          std::mt19937_64& random) {
     std::normal_distribution<double> normal;
     Eigen::VectorXd volumes(n);
-    for (double& v : volumes) v = std::exp(3 * std::sqrt(std::log1p(spread * spread)) * normal(random));
+    for (double& v : volumes)
+        v = std::exp(3 * std::sqrt(std::log1p(spread * spread)) * normal(random));
     const double least = 1e-6 * volumes.mean();
     for (double& v : volumes) v = std::max(v, least);
     return volumes * (total / volumes.sum());

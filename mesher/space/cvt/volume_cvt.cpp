@@ -121,7 +121,7 @@ RunStatistics VolumeRun::measure(const Eigen::VectorXd& targets, int step) {
         residuals(cells_.gradient, cells_.mass, moving_.spacing(), workers_);
     const bool at_rest = largest <= options_.run.tolerance;
     return {.stop = !figures_.converged ? Stop::kStalled
-                                   : (at_rest ? Stop::kConverged : Stop::kIterationLimit),
+                                        : (at_rest ? Stop::kConverged : Stop::kIterationLimit),
             .iterations = step,
             .evaluations = step + 1,
             .energy = cells_.energy * std::pow(moving_.unit(), 5),
@@ -180,8 +180,8 @@ VolumeCvtResult compute_volume_cvt(const Lattice& lattice, const Points& points,
     MovingTetrahedra moving(distinct_sites(lattice, points));
     Workers workers(options.run.n_threads);
     VolumeRun run(moving, options, workers);
-    Eigen::VectorXd targets = options.by_rank ? by_rank(options.volumes, run.voronoi_volumes())
-                                              : options.volumes;
+    Eigen::VectorXd targets =
+        options.by_rank ? by_rank(options.volumes, run.voronoi_volumes()) : options.volumes;
     const RunStatistics statistics = run.run(targets);
     Eigen::VectorXd cell_volumes = run.cell_volumes();
     const int n_rebuilds = moving.n_rebuilds();

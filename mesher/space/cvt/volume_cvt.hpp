@@ -9,8 +9,8 @@
 
 namespace pcvt::space {
 
-/// |V_i - v_i| <= volume_tolerance(n) V / n at the end of a run with n sites, unless the rounding of
-/// weights prevents it: SizeFigures::rounding. Nearly always the error is also below
+/// |V_i - v_i| <= volume_tolerance(n) V / n at the end of a run with n sites, unless the rounding
+/// of weights prevents it: SizeFigures::rounding. Nearly always the error is also below
 /// volume_tolerance(n) v_i.
 inline double volume_tolerance(int n_sites) {
     return n_sites <= 20'000 ? 1e-10 : (n_sites <= 200'000 ? 1e-9 : 1e-8);

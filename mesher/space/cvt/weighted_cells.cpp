@@ -24,7 +24,8 @@ void require_weights(const Eigen::VectorXd& weights, Eigen::Index n_sites) {
     if (!weights.allFinite()) throw InvalidInput("a weight is not finite; correct it");
 }
 
-/// Weights this far below the largest one, in squares of MovingTetrahedra::unit(), hide their sites.
+/// Weights this far below the largest one, in squares of MovingTetrahedra::unit(), hide their
+/// sites.
 constexpr double kLowest = -1e300;
 
 /// The weights of sites in the order and the unit of their tetrahedra, less the largest one, so

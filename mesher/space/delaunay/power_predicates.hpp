@@ -31,9 +31,7 @@ inline constexpr double kLargestWeight = 0x1p43;
 
 /// The nearest weight that the predicates take. It differs from the weight only below 2^-47.
 /// @pre |weight| < kLargestWeight.
-inline double rounded_weight(double weight) {
-    return std::nearbyint(weight * 0x1p100) * 0x1p-100;
-}
+inline double rounded_weight(double weight) { return std::nearbyint(weight * 0x1p100) * 0x1p-100; }
 
 /// Returns +1 if t lies below the hyperplane through the positively oriented p, q, r, s, lifted to
 /// the heights |x|^2 - w, -1 if above, 0 if on it: in_sphere where all weights are equal.

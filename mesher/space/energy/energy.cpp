@@ -167,9 +167,8 @@ Suspects EnergySums::run(const TorusTetrahedra& tetrahedra, const Points& coordi
     heights_.resize(tetrahedra.n_tetrahedra());
     workers.for_each(n_slabs,
                      [&](int k) { slabs_[k].run(tetrahedra, coordinates, frame, heights_); });
-    workers.for_each(n_slabs, [&](int k) {
-        heights_.remove_certain(tetrahedra, slabs_[k].suspects.facets);
-    });
+    workers.for_each(
+        n_slabs, [&](int k) { heights_.remove_certain(tetrahedra, slabs_[k].suspects.facets); });
     add_up(tetrahedra.n_sites(), workers, energy);
     Suspects suspects;
     for (const Slab& slab : slabs_) {

@@ -158,9 +158,8 @@ std::vector<int> VolumeSums::run(const WeightedTetrahedra& weighted, Workers& wo
     for (int k = 0; k < n_slabs; ++k) slabs_[k].range = ranges[k];
     heights_.resize(weighted.tetrahedra.n_tetrahedra());
     workers.for_each(n_slabs, [&](int k) { slabs_[k].run(weighted, heights_); });
-    workers.for_each(n_slabs, [&](int k) {
-        heights_.remove_certain(weighted.tetrahedra, slabs_[k].suspects);
-    });
+    workers.for_each(
+        n_slabs, [&](int k) { heights_.remove_certain(weighted.tetrahedra, slabs_[k].suspects); });
     const int n_sites = weighted.tetrahedra.n_sites();
     volumes.resize(n_sites);
     add_up_slabs<double>(slabs_, n_sites, workers, [&](int first, int n, const auto& total) {

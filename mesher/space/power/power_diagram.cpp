@@ -46,10 +46,10 @@ void PowerDiagram::copy_from(const TorusTetrahedra& other) {
 /// is farther from an image of a site than half of the sum of the reduced periods.
 std::optional<SiteId> PowerDiagram::site_without_cell(const Eigen::VectorXd& weights) const {
     const Frame& frame = moving_->frame();
-    const double farthest = (frame.ax + std::hypot(frame.bx, frame.by) +
-                             std::sqrt(frame.cx * frame.cx + frame.cy * frame.cy +
-                                       frame.cz * frame.cz)) /
-                            2;
+    const double farthest =
+        (frame.ax + std::hypot(frame.bx, frame.by) +
+         std::sqrt(frame.cx * frame.cx + frame.cy * frame.cy + frame.cz * frame.cz)) /
+        2;
     Eigen::Index least = 0;
     const double range = weights.maxCoeff() - weights.minCoeff(&least);
     if (range <= farthest * farthest) return std::nullopt;
@@ -66,7 +66,8 @@ PowerDiagram::Outcome PowerDiagram::flip_to(const Eigen::VectorXd& weights) {
     // found before the other facets are flipped.
     const auto is_at_cell = [&](int f) {
         const Tetrahedron t = tetrahedra_->tetrahedron(f / 4);
-        return std::all_of(t.begin(), t.end(), [&](const Corner& c) { return volumes_[c.site] > 0; });
+        return std::all_of(t.begin(), t.end(),
+                           [&](const Corner& c) { return volumes_[c.site] > 0; });
     };
     std::stable_partition(suspects.begin(), suspects.end(), is_at_cell);
     Eigen::VectorXd gram_weights = weights * moving_->frame().gram_per_square;
@@ -106,9 +107,9 @@ bool PowerDiagram::go_to(const Eigen::VectorXd& weights) {
         ++counts_.n_halvings;
         copy_from(*last);
         const double next = std::min(1.0, reached + part);
-        outcome = flip_to(next == 1 ? weights
-                                    : Eigen::VectorXd(base_weights_ +
-                                                      next * (weights - base_weights_)));
+        outcome =
+            flip_to(next == 1 ? weights
+                              : Eigen::VectorXd(base_weights_ + next * (weights - base_weights_)));
         if (outcome == Outcome::kHidden) return false;
         if (outcome == Outcome::kStuck) {
             part /= 2;

@@ -58,7 +58,8 @@ class PowerDiagram {
     void start(const PowerDiagram& other);
 
     /// Makes the tetrahedra regular for the weights, and measures the cells.
-    /// @param weights  in the order of `moving`, units^2. Only differences count; the largest weight
+    /// @param weights  in the order of `moving`, units^2. Only differences count; the largest
+    /// weight
     ///                 should not be far from zero.
     /// @returns false if a weight is not finite or above kLargestWeight in the unit of the
     ///          predicates, or if a site is hidden; only weights() and hidden_site() are of use
@@ -87,8 +88,8 @@ class PowerDiagram {
 
     const MovingTetrahedra* moving_;
     Workers* workers_;
-    /// Where the way to the next weights begins: tetrahedra that are regular for these weights. They
-    /// may belong to other diagrams as well; null where tetrahedra_ are these.
+    /// Where the way to the next weights begins: tetrahedra that are regular for these weights.
+    /// They may belong to other diagrams as well; null where tetrahedra_ are these.
     std::shared_ptr<const TorusTetrahedra> base_;
     Eigen::VectorXd base_weights_;
     std::shared_ptr<TorusTetrahedra> tetrahedra_;

@@ -14,7 +14,8 @@ namespace pcvt::space {
 /// With the heights |x|^2 - w, a facet is locally regular if the surface over its two tetrahedra is
 /// convex across it. Let a facet a b c with the opposite corners d and e not be locally regular,
 /// and the line d e pass only one of its edges, a b, on the inner side. Then c lies inside of the
-/// tetrahedron a b d e, or on its boundary, and above its hyperplane: c is *hidden*, it has no cell.
+/// tetrahedron a b d e, or on its boundary, and above its hyperplane: c is *hidden*, it has no
+/// cell.
 ///
 /// A facet that is not locally regular may wait for flips of its neighbours. While every site has a
 /// cell, flips can still get stuck in this way, which does not happen in the plane. They do not

@@ -88,9 +88,9 @@ template <int i, int j>
                 dot(s.centre, s.normal[2]), dot(s.centre, s.normal[3])};
 }
 
-[[gnu::always_inline]] inline WeightedShape weighted_shape(
-    const std::array<Arrow, 4>& p, const std::array<Lanes, 4>& w,
-    const std::array<Arrow, 6>& edge) {
+[[gnu::always_inline]] inline WeightedShape weighted_shape(const std::array<Arrow, 4>& p,
+                                                           const std::array<Lanes, 4>& w,
+                                                           const std::array<Arrow, 6>& edge) {
     WeightedShape s{p, w, edge, {}, {}, {}, {}, {}};
     s.normal = {cross(edge[4], edge[3]), cross(p[2], p[3]), cross(p[3], p[1]), cross(p[1], p[2])};
     const Lanes det = dot(p[1], s.normal[1]);
@@ -136,9 +136,8 @@ struct FacetsOf {
 
 /// Adds the terms of edge i j, opposite to the corners k and m.
 template <int i, int j, int k, int m, bool with_moments>
-[[gnu::always_inline]] inline void add_edge(const WeightedShape& s,
-                                            const FacetsOf& facets, const Lanes& squared,
-                                            const Lanes& per_squared,
+[[gnu::always_inline]] inline void add_edge(const WeightedShape& s, const FacetsOf& facets,
+                                            const Lanes& squared, const Lanes& per_squared,
                                             PowerSumsOf<with_moments>& sums) {
     const Arrow d = arrow_between<i, j>(s);
     const Lanes alpha_i = squared + (s.w[i] - s.w[j]);
@@ -150,7 +149,7 @@ template <int i, int j, int k, int m, bool with_moments>
         const Arrow to_i = arrow_between<third, i>(s);
         const Arrow to_j = arrow_between<third, j>(s);
         const Lanes b = squared * dot(to_i, to_j) + dot(d, to_j) * (s.w[i] - s.w[third]) -
-                         dot(d, to_i) * (s.w[j] - s.w[third]);
+                        dot(d, to_i) * (s.w[j] - s.w[third]);
         const Lanes part = b * facets.q[apex] * eighth;
         conductance = conductance + part;
         if constexpr (with_moments) {
@@ -176,12 +175,11 @@ template <int i, int j, int k, int m, bool with_moments>
 }
 
 template <bool with_moments>
-[[gnu::always_inline]] inline PowerSumsOf<with_moments> power_sums(
-    const WeightedShape& s) {
+[[gnu::always_inline]] inline PowerSumsOf<with_moments> power_sums(const WeightedShape& s) {
     FacetsOf facets;
     for (int c = 0; c < 4; c += 2) {
-        const auto both = reciprocals(dot(s.normal[c], s.normal[c]),
-                                      dot(s.normal[c + 1], s.normal[c + 1]));
+        const auto both =
+            reciprocals(dot(s.normal[c], s.normal[c]), dot(s.normal[c + 1], s.normal[c + 1]));
         for (int m = 0; m < 2; ++m) {
             facets.per_nn[c + m] = both[m];
             facets.q[c + m] = s.height[c + m] * both[m];

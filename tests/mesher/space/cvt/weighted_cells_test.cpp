@@ -17,8 +17,7 @@ namespace {
 // Law 1.
 TEST(SpaceWeightedCells, WithEqualWeightsAreVoronoiCells) {
     const Points points = uniform_points(testing::kCube, 40, 1);
-    const auto cells =
-        weighted_cells(testing::kCube, points, Eigen::VectorXd::Constant(40, 7), {});
+    const auto cells = weighted_cells(testing::kCube, points, Eigen::VectorXd::Constant(40, 7), {});
     const CvtResult voronoi = compute_cvt(testing::kCube, points, {.run = {.max_iterations = 0}});
     EXPECT_EQ(testing::canonical_tetrahedra(cells.delaunay.tetrahedra),
               testing::canonical_tetrahedra(voronoi.delaunay.tetrahedra));

@@ -63,8 +63,7 @@ void expect_polyhedra(const Diagram& d, const Eigen::VectorXd& weights, double t
         const SiteId id = d.moving.original_id(s);
         ASSERT_NEAR(cells.mass[s] * std::pow(unit, 3), expected.volumes[id], tolerance * volume);
         ASSERT_NEAR(d.diagram.sizes()[s], cells.mass[s], tolerance * volume / std::pow(unit, 3));
-        const Vec3 gradient =
-            std::pow(unit, 3) * (d.rotation() * cells.gradient.segment<3>(4 * s));
+        const Vec3 gradient = std::pow(unit, 3) * (d.rotation() * cells.gradient.segment<3>(4 * s));
         ASSERT_LT((gradient - expected.gradient[id]).norm(), tolerance * volume * length);
     }
     ASSERT_NEAR(cells.energy * std::pow(unit, 5), expected.value,
@@ -80,8 +79,7 @@ TEST(SpacePowerCells, SlowEqualClippedPolyhedra) {
         const auto [name, sites] = testing::random_space_sites(random);
         if (sites.n_sites() > 30) continue;
         SCOPED_TRACE("input " + std::to_string(k) + ": " + name);
-        const Eigen::VectorXd weights =
-            testing::random_space_weights(sites, 0.1 * (k % 4), random);
+        const Eigen::VectorXd weights = testing::random_space_weights(sites, 0.1 * (k % 4), random);
         const Diagram diagram(sites, weights);
         if (!diagram.visible) continue;
         ++n_visible;

@@ -6,15 +6,15 @@
 
 #include "mesher/space/cvt/volume_newton.hpp"
 #include "mesher/space/power/power_flips.hpp"
-#include "tests/support/space_laws.hpp"
 #include "tests/support/space_lattices.hpp"
+#include "tests/support/space_laws.hpp"
 #include "tests/support/space_weights.hpp"
 
 namespace pcvt::space {
 namespace {
 
-// A jump from Delaunay tetrahedra to the final weights gets stuck; halves of the way end, and at the
-// same tetrahedra.
+// A jump from Delaunay tetrahedra to the final weights gets stuck; halves of the way end, and at
+// the same tetrahedra.
 TEST(SpacePowerDiagram, SlowHalvesTheWayWhereFlipsAreStuck) {
     const int n = 10'000;
     Workers workers(2);
