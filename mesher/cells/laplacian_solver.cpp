@@ -16,6 +16,10 @@ constexpr double kLeastReduction = 0.1;
 /// residual (Y. Notay 2010).
 constexpr double kSecondStep = 0.25;
 constexpr int kMostProducts = 400;
+/// A pair of rows that are so much more strongly coupled to each other than to all others is merged
+/// first, and not with a second pair at once: sweeps over rows hardly change the mean of such a
+/// pair, so that only a coarse problem with a row of its own for it corrects this mean.
+constexpr double kBoundPair = 256;
 
 void remove_mean(Eigen::VectorXd& x) { x.array() -= x.mean(); }
 
@@ -67,25 +71,82 @@ LaplacianSolver::Level LaplacianSolver::finest_level(const CellGraph& graph) {
     return level;
 }
 
-/// Pairs each row with the remaining neighbour of the largest conductance.
-std::vector<int> LaplacianSolver::match_pairs(const Level& level, int& n_pairs) {
+/// The other row of a bound pair, or -1.
+int LaplacianSolver::bound_partner(const Level& level, int row) {
+    int partner = -1;
+    float strongest = 0;
+    for (int k = level.row_begin[row]; k < level.row_begin[row + 1]; ++k) {
+        if (level.conductance[k] <= strongest) continue;
+        strongest = level.conductance[k];
+        partner = level.column[k];
+    }
+    const double share = 1 - double(strongest) * level.inverse_diagonal[row];
+    return share * kBoundPair < 1 ? partner : -1;
+}
+
+/// Pairs each row with the remaining neighbour of the largest conductance; with kStrong, bound
+/// pairs first, and rows without a remaining neighbour join that of the largest conductance.
+/// @param single  rows that get no partner; empty: none.
+std::vector<int> LaplacianSolver::match_pairs(const Level& level, const std::vector<bool>& single,
+                                              int& n_pairs) const {
     std::vector<int> pair(static_cast<std::size_t>(level.n_rows()), -1);
+    const auto is_single = [&](int row) { return !single.empty() && single[std::size_t(row)]; };
     n_pairs = 0;
+    for (int row = 0; row < level.n_rows() && aggregation_ == Aggregation::kStrong; ++row) {
+        const int partner = is_single(row) ? -1 : bound_partner(level, row);
+        if (partner < row || is_single(partner) || bound_partner(level, partner) != row) continue;
+        pair[row] = pair[partner] = n_pairs++;
+    }
+    std::vector<int> left;
     for (int row = 0; row < level.n_rows(); ++row) {
         checkpoint_each(row);
         if (pair[row] >= 0) continue;
         int partner = -1;
         float strongest = 0;
-        for (int k = level.row_begin[row]; k < level.row_begin[row + 1]; ++k) {
+        for (int k = level.row_begin[row]; k < level.row_begin[row + 1] && !is_single(row); ++k) {
             if (pair[level.column[k]] >= 0 || level.conductance[k] <= strongest) continue;
+            if (is_single(level.column[k])) continue;
             strongest = level.conductance[k];
             partner = level.column[k];
+        }
+        if (partner < 0 && aggregation_ == Aggregation::kStrong && !is_single(row)) {
+            left.push_back(row);
+            continue;
         }
         pair[row] = n_pairs;
         if (partner >= 0) pair[partner] = n_pairs;
         ++n_pairs;
     }
+    for (const int row : left) {
+        int neighbour = -1;
+        float strongest = 0;
+        for (int k = level.row_begin[row]; k < level.row_begin[row + 1]; ++k) {
+            const int column = level.column[k];
+            if (level.conductance[k] <= strongest || pair[column] < 0 || is_single(column))
+                continue;
+            strongest = level.conductance[k];
+            neighbour = column;
+        }
+        pair[row] = neighbour >= 0 ? pair[neighbour] : n_pairs++;
+    }
     return pair;
+}
+
+/// The pairs that kBoundPair keeps single.
+/// @param pairs  the level of the pairs of `fine`.
+std::vector<bool> LaplacianSolver::bound_pairs(const Level& fine, const Level& pairs) {
+    std::vector<double> inner(static_cast<std::size_t>(pairs.n_rows()), 0);
+    for (int row = 0; row < fine.n_rows(); ++row) {
+        const int pair = fine.aggregate[row];
+        for (int k = fine.row_begin[row]; k < fine.row_begin[row + 1]; ++k) {
+            if (fine.aggregate[fine.column[k]] == pair) inner[pair] += double(fine.conductance[k]);
+        }
+    }
+    std::vector<bool> bound(inner.size());
+    for (int pair = 0; pair < pairs.n_rows(); ++pair) {
+        bound[std::size_t(pair)] = inner[pair] * pairs.inverse_diagonal[pair] > 2 * kBoundPair;
+    }
+    return bound;
 }
 
 /// Adds up the rows and columns of each aggregate.
@@ -125,15 +186,18 @@ LaplacianSolver::Level LaplacianSolver::merged(const Level& fine, const std::vec
     return coarse;
 }
 
-LaplacianSolver::LaplacianSolver(const CellGraph& graph) {
+LaplacianSolver::LaplacianSolver(const CellGraph& graph, Aggregation aggregation)
+    : aggregation_(aggregation) {
     levels_.push_back(finest_level(graph));
     while (levels_.back().n_rows() > kCoarsest) {
         Level& fine = levels_.back();
         int n_pairs = 0;
-        fine.aggregate = match_pairs(fine, n_pairs);
+        fine.aggregate = match_pairs(fine, {}, n_pairs);
         const Level pairs = merged(fine, fine.aggregate, n_pairs);
         int n_coarse = 0;
-        const std::vector<int> second = match_pairs(pairs, n_coarse);
+        std::vector<bool> bound;
+        if (aggregation_ == Aggregation::kStrong) bound = bound_pairs(fine, pairs);
+        const std::vector<int> second = match_pairs(pairs, bound, n_coarse);
         if (n_coarse > (1 - kLeastReduction) * fine.n_rows()) break;
         for (int& a : fine.aggregate) a = second[a];
         levels_.push_back(merged(pairs, second, n_coarse));

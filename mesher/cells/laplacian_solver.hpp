@@ -31,8 +31,14 @@ namespace pcvt {
 ///       factor of some thousands.
 class LaplacianSolver {
    public:
+    /// How rows are merged. kPairs: only in pairs, so that rows whose neighbours have partners stay
+    /// as they are; where small cells surround large ones, the coarsest problem has some hundred
+    /// rows then. kStrong: such rows join their neighbour, and pairs of rows that are much more
+    /// strongly coupled to each other than to all others are merged first.
+    enum class Aggregation { kPairs, kStrong };
+
     /// Builds the hierarchy. O(n).
-    explicit LaplacianSolver(const CellGraph& graph);
+    explicit LaplacianSolver(const CellGraph& graph, Aggregation aggregation = Aggregation::kPairs);
 
     /// @param b         its mean is ignored, since A annihilates constants.
     /// @param accuracy  the largest |A x - b| / |b|.
@@ -57,7 +63,10 @@ class LaplacianSolver {
     };
 
     static Level finest_level(const CellGraph& graph);
-    static std::vector<int> match_pairs(const Level& level, int& n_pairs);
+    static int bound_partner(const Level& level, int row);
+    std::vector<int> match_pairs(const Level& level, const std::vector<bool>& single,
+                                 int& n_pairs) const;
+    static std::vector<bool> bound_pairs(const Level& fine, const Level& pairs);
     static Level merged(const Level& fine, const std::vector<int>& aggregate, int n_coarse);
     static void finish_row(Level& level);
     static void multiply(const Level& level, const Eigen::VectorXd& x, Eigen::VectorXd& y);
@@ -66,6 +75,7 @@ class LaplacianSolver {
     void precondition(std::size_t k, const Eigen::VectorXd& b, Eigen::VectorXd& x);
     void solve_coarse(std::size_t k);
 
+    Aggregation aggregation_;
     std::vector<Level> levels_;
     Eigen::LLT<Eigen::MatrixXd> coarsest_;
 };

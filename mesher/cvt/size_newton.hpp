@@ -5,6 +5,7 @@
 
 #include "mesher/base/workers.hpp"
 #include "mesher/cells/cell_graph.hpp"
+#include "mesher/cells/laplacian_solver.hpp"
 #include "mesher/cells/weight_orbits.hpp"
 
 namespace pcvt {
@@ -53,6 +54,10 @@ using NewtonCallback = std::function<void(const SizeFigures&)>;
 ///   graph()                    the adjacency of the cells
 ///   kSizeRounding              the relative rounding of weights, and of lengths that follow from
 ///                              them, that adds up in one size
+///   kAggregation               the argument of LaplacianSolver
+///   kWarmTrials                how often weights of an earlier call, then halves of them, are
+///   tried
+///                              at the beginning
 ///
 /// Example usage:
 ///
@@ -77,7 +82,8 @@ class SizeNewton {
     /// @param orbits  sites of `moving` that map to each other with their targets.
     SizeNewton(const Moving& moving, Workers& workers, WeightOrbits orbits = {});
 
-    /// Starts from the weights of the last call where they give every site a cell, else from 0.
+    /// Starts from the weights of the last call, or from a half, a quarter and so on of them, where
+    /// they give every site a cell, else from 0.
     /// @param targets  s_i in the unit of `moving` and its order, positive, with the sum of the
     ///                 domain's size.
     SizeFigures solve(const Eigen::VectorXd& targets, double tolerance,

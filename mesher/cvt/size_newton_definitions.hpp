@@ -47,14 +47,18 @@ SizeNewton<Diagram>::SizeNewton(const Moving& moving, Workers& workers, WeightOr
 /// Chooses the weights at which the iteration begins.
 template <class Diagram>
 void SizeNewton<Diagram>::begin(double least_target) {
-    here_.start();
     if (here_.weights().size() == here_.n_sites()) {
-        if (here_.set_weights(here_.weights()) &&
-            here_.sizes().minCoeff() >= detail::kSmallestWarmCell * least_target) {
-            return;
+        Eigen::VectorXd warm = here_.weights();
+        for (int k = 0; k < Diagram::kWarmTrials; ++k) {
+            here_.start();
+            if (here_.set_weights(warm) &&
+                here_.sizes().minCoeff() >= detail::kSmallestWarmCell * least_target) {
+                return;
+            }
+            warm /= 2;
         }
-        here_.start();
     }
+    here_.start();
     here_.set_weights(Eigen::VectorXd::Zero(here_.n_sites()));
 }
 
@@ -93,7 +97,7 @@ bool SizeNewton<Diagram>::step(const Eigen::VectorXd& targets, double tolerance,
                                SizeFigures& figures) {
     const Eigen::VectorXd error = targets - here_.sizes();
     const Eigen::VectorXd error_of_orbits = orbits_.sums(error);
-    LaplacianSolver solver(graph());
+    LaplacianSolver solver(graph(), Diagram::kAggregation);
     Eigen::VectorXd direction;
     const double least_error = tolerance * targets.minCoeff() * std::sqrt(double(targets.size()));
     double accuracy = std::max(detail::kPerError * error.norm() / targets.norm(),

@@ -24,6 +24,7 @@ void add_cases() {
     for (const int n : {1000, 10'000, 100'000, 1'000'000}) {
         add_area_cases({"unit", plane::Lattice::rectangle(1, 1), n});
     }
+    add_small_space_cases(1000);
     for (const int n : {10'000, 100'000}) add_space_cases(n);
     add_single_cases();
 }

@@ -58,6 +58,8 @@ void add_abi_case(const Input& input);
 
 /// Three dimensions: n random sites of the unit cube, this program's tetrahedra and those of CGAL.
 void add_space_cases(int n);
+/// Only cells of prescribed volumes in space, and their unit.
+void add_small_space_cases(int n);
 
 /// Cases of one size only: many small runs, and resident memory, which must come last.
 void add_single_cases();

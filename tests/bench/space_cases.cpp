@@ -1,6 +1,9 @@
 #include <optional>
 
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/space/cvt/cvt.hpp"
+#include "mesher/space/cvt/volume_cvt.hpp"
+#include "mesher/space/cvt/volume_newton.hpp"
 #include "mesher/space/delaunay/mirror_diagram.hpp"
 #include "mesher/space/energy/energy_pass.hpp"
 #include "tests/bench/cases.hpp"
@@ -110,6 +113,51 @@ void add_space_iteration(int n) {
     add_in_cube("space_iteration", n, body)->UseManualTime()->Iterations(1);
 }
 
+/// Volumes whose equivalent diameters have a lognormal law of spread 0.35.
+Eigen::VectorXd grain_volumes(int n) {
+    const Eigen::VectorXd diameters =
+        draw_areas(parse_area_law("lognormal:0.35"), n, 1).cwiseSqrt();
+    const Eigen::VectorXd volumes = diameters.array().cube();
+    return volumes / volumes.sum();
+}
+
+/// Weights for prescribed volumes of fixed random sites to 1e-10, from their tetrahedra.
+void add_volume_newton(int n) {
+    add_in_cube("volume_newton", n, [=](benchmark::State& state) {
+        const space::MovingTetrahedra moving(space::Sites(cube(), random_points(n)));
+        const Eigen::VectorXd given = grain_volumes(n);
+        Eigen::VectorXd volumes(n);
+        for (SiteId s = 0; s < n; ++s) volumes[s] = given[moving.original_id(s)];
+        volumes *= moving.frame().volume() / volumes.sum();
+        Workers workers(1);
+        SizeFigures figures;
+        for ([[maybe_unused]] auto _ : state) {
+            space::VolumeNewton newton(moving, workers);
+            figures = newton.solve(volumes, 1e-10);
+        }
+        if (!figures.converged) state.SkipWithError("the volumes were not reached");
+        state.counters["newton_steps"] = figures.newton_steps;
+        state.counters["trials"] = figures.trials;
+        state.counters["products"] = figures.products;
+        state.counters["error"] = figures.largest_relative_error;
+    });
+}
+
+/// Five bold centroidal steps from volumes by rank.
+void add_space_grains(int n) {
+    add_in_cube("space_grains", n, [=](benchmark::State& state) {
+        const space::Points points = random_points(n);
+        const Eigen::VectorXd volumes = grain_volumes(n);
+        for ([[maybe_unused]] auto _ : state) {
+            const space::VolumeCvtResult result = compute_volume_cvt(
+                cube(), points,
+                {.volumes = volumes, .by_rank = true, .run = {.max_iterations = 5}});
+            state.counters["newton_steps"] = result.volumes.newton_steps;
+            state.counters["error"] = result.largest_error;
+        }
+    });
+}
+
 }  // namespace
 
 void add_space_cases(int n) {
@@ -119,6 +167,14 @@ void add_space_cases(int n) {
     add_space_peer("cgal_periodic_3", cgal_periodic_in_space, n);
     add_space_evaluation(n);
     add_space_iteration(n);
+    add_volume_newton(n);
+    add_space_grains(n);
+}
+
+void add_small_space_cases(int n) {
+    add_space_peer("cgal_plain_3", cgal_plain_in_space, n);
+    add_volume_newton(n);
+    add_space_grains(n);
 }
 
 }  // namespace pcvt::bench

@@ -50,6 +50,12 @@ def in_space(text, over, under=PLAIN_3, bound=""):
     return Row(text, over, under, bound, sizes=(10_000, 100_000), lattices=("cube",))
 
 
+def prescribed_volumes(text, case, bounds):
+    """Rows of one case with a bound for each size."""
+    return [Row(text, Measure(case), PLAIN_3, bound, sizes=(n,), lattices=("cube",))
+            for n, bound in bounds.items()]
+
+
 ROWS = [
     Row("evaluation with certificate, converging regime / one CGAL plain build of n sites",
         Measure("evaluation"), PLAIN, "1/25", lattices=PLANE),
@@ -94,13 +100,17 @@ ROWS = [
     in_space("CGAL Periodic_3 / our initial build", Measure("cgal_periodic_3"), SPACE_BUILD, "≥ 2.5"),
     in_space("our mirrors / our initial build", Measure("space_mirrors"), SPACE_BUILD),
     in_space("rebuilds, whole run", Measure("space_iteration", "rebuilds"), None),
+    *prescribed_volumes("weights for volumes of a lognormal law, S = 0.35, to 1e-10 / CGAL plain build",
+                        "volume_newton", {1000: "8", 10_000: "8", 100_000: "12"}),
+    *prescribed_volumes("the same with five centroidal steps / CGAL plain build",
+                        "space_grains", {1000: "30", 10_000: "30", 100_000: "30"}),
 ]
 
 # Cases whose times the second table lists, in this order.
 TIMED = ["cgal_plain", "build", "evaluation", "iteration",
          "cgal_nine_copies", "cgal_periodic", "mirrors", "voro",
          "cgal_plain_3", "space_build", "space_evaluation", "space_iteration", "space_mirrors",
-         "cgal_periodic_3"]
+         "cgal_periodic_3", "volume_newton", "space_grains"]
 
 
 class Rounds:

@@ -71,24 +71,12 @@ void for_each_tetrahedron(const ClippedCell& cell, const Visit& visit) {
     }
 }
 
-ClippedCell clipped_cell(const space::Sites& sites, SiteId site) {
-    const space::Lattice& reduced = sites.reduction().reduced;
-    std::vector<space::Vec3> images;
-    for (SiteId t = 0; t < sites.n_sites(); ++t) {
-        for (int o = 0; o < 125; ++o) {
-            const space::Vec3 offset(o / 25 - 2, o / 5 % 5 - 2, o % 5 - 2);
-            if (t == site && offset.isZero()) continue;
-            images.push_back(reduced.to_position(sites.coordinates().col(t) -
-                                                 sites.coordinates().col(site) + offset));
-        }
-    }
-    std::sort(images.begin(), images.end(), [](const space::Vec3& p, const space::Vec3& q) {
-        return p.squaredNorm() < q.squaredNorm();
-    });
-    ClippedCell cell = cube(2 * reduced.c().norm());
-    for (const space::Vec3& p : images) clip(cell, p, p.squaredNorm() / 2);
-    return cell;
-}
+/// The coefficients of an image near a site.
+struct NearImage {
+    space::Vec3 at;
+    /// The plane between the cells is at.p = level.
+    double level;
+};
 
 }  // namespace
 
@@ -116,15 +104,50 @@ space::Vec3 ClippedCell::first_moment() const {
     return sum;
 }
 
-std::vector<ClippedCell> clipped_cells(const space::Sites& sites) {
+ClippedCell clipped_power_cell(const space::Sites& sites, const Eigen::VectorXd& weights,
+                               SiteId site) {
+    const space::Lattice& reduced = sites.reduction().reduced;
+    std::vector<NearImage> images;
+    for (SiteId t = 0; t < sites.n_sites(); ++t) {
+        for (int o = 0; o < 125; ++o) {
+            const space::Vec3 offset(o / 25 - 2, o / 5 % 5 - 2, o % 5 - 2);
+            if (t == site && offset.isZero()) continue;
+            const space::Vec3 at = reduced.to_position(sites.coordinates().col(t) -
+                                                       sites.coordinates().col(site) + offset);
+            images.push_back({at, (at.squaredNorm() + weights[site] - weights[t]) / 2});
+        }
+    }
+    std::sort(images.begin(), images.end(), [](const NearImage& p, const NearImage& q) {
+        return p.level / p.at.norm() < q.level / q.at.norm();
+    });
+    ClippedCell cell = cube(2 * reduced.c().norm());
+    for (const NearImage& image : images) {
+        if (cell.faces.empty()) break;
+        clip(cell, image.at, image.level);
+    }
+    return cell;
+}
+
+std::vector<ClippedCell> clipped_power_cells(const space::Sites& sites,
+                                             const Eigen::VectorXd& weights) {
     std::vector<ClippedCell> cells;
-    for (SiteId s = 0; s < sites.n_sites(); ++s) cells.push_back(clipped_cell(sites, s));
+    for (SiteId s = 0; s < sites.n_sites(); ++s) {
+        cells.push_back(clipped_power_cell(sites, weights, s));
+    }
     return cells;
 }
 
+std::vector<ClippedCell> clipped_cells(const space::Sites& sites) {
+    return clipped_power_cells(sites, Eigen::VectorXd::Zero(sites.n_sites()));
+}
+
 BruteForceEnergy brute_force_energy(const space::Sites& sites) {
+    return brute_force_energy(sites, Eigen::VectorXd::Zero(sites.n_sites()));
+}
+
+BruteForceEnergy brute_force_energy(const space::Sites& sites, const Eigen::VectorXd& weights) {
     BruteForceEnergy energy;
-    for (const ClippedCell& cell : clipped_cells(sites)) {
+    for (const ClippedCell& cell : clipped_power_cells(sites, weights)) {
         energy.value += cell.second_moment();
         energy.volumes.push_back(cell.volume());
         energy.gradient.push_back(-2 * cell.first_moment());

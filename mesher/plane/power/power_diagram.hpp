@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/cells/cell_graph.hpp"
+#include "mesher/cells/laplacian_solver.hpp"
 #include "mesher/plane/delaunay/moving_delaunay.hpp"
 #include "mesher/plane/delaunay/periodic_delaunay.hpp"
 #include "mesher/plane/power/power_cells.hpp"
@@ -26,6 +27,9 @@ class PowerDiagram {
     using Moving = MovingDelaunay;
     /// Roundings of weights, and of the heights that follow from them, add up in one area: 64.
     static constexpr double kSizeRounding = 64 * kUnitRoundoff;
+    static constexpr auto kAggregation = LaplacianSolver::Aggregation::kPairs;
+    /// Weights of an earlier call are tried as they are.
+    static constexpr int kWarmTrials = 1;
 
     /// Both arguments must outlive this object; `delaunay` is restored and may move between calls
     /// of start().

@@ -1,26 +1,11 @@
 #include "mesher/space/cvt/cvt.hpp"
 
-#include <utility>
-
 #include "mesher/cvt/cvt_objective.hpp"
 #include "mesher/portable/portable_functions.hpp"
+#include "mesher/space/cvt/distinct_sites.hpp"
 #include "mesher/space/energy/energy_pass.hpp"
-#include "mesher/torus/coincident_sites.hpp"
 
 namespace pcvt::space {
-namespace {
-
-Sites distinct_sites(const Lattice& lattice, const Points& points) {
-    Sites sites(lattice, points);
-    Eigen::Matrix3d periods;
-    for (int k = 0; k < 3; ++k) periods.col(k) = sites.reduction().reduced.periods()[k];
-    auto pairs = coincident_sites(sites.coordinates(), periods, kCoincident * sites.spacing());
-    if (!pairs.empty()) throw DuplicateSites(std::move(pairs));
-    return sites;
-}
-
-}  // namespace
-
 CvtResult compute_cvt(const Lattice& lattice, const Points& points, const CvtOptions& options) {
     MovingTetrahedra moving(distinct_sites(lattice, points));
     Workers workers(options.run.n_threads);

@@ -11,10 +11,10 @@ constexpr int kTranslations = 3;
 }  // namespace
 
 Minimum decided_minimum(const PeriodicDelaunay& delaunay) {
-    const auto& [sites, tetrahedra] = delaunay;
+    const Sites& sites = delaunay.sites;
     if (sites.n_sites() == 1) return Minimum::kYes;
     BlockMatrix hessian;
-    assemble_hessian(tetrahedra, sites.coordinates(),
+    assemble_hessian(delaunay.tetrahedra, sites.coordinates(),
                      Frame(sites.reduction().reduced, sites.spacing()), hessian);
     return minimum_by_inertia(hessian, kTranslations);
 }

@@ -17,6 +17,8 @@ Frame::Frame(const Lattice& reduced, double unit) {
     cy = ab.cross(a).dot(c) / (ab.norm() * ax);
     cz = ab.dot(c) / ab.norm();
     gram = gram_of(reduced);
+    const double to_gram = unit / gram_unit(reduced);
+    gram_per_square = to_gram * to_gram;
 }
 
 }  // namespace pcvt::space

@@ -20,6 +20,8 @@ struct Frame {
     double cz = 1;
     /// The metric of the predicates, in a unit of its own.
     Gram gram{1, 0, 0, 1, 0, 1};
+    /// A squared length in that unit over the same one in the square of the owner's unit.
+    double gram_per_square = 1;
 
     Frame() = default;
     /// @param reduced  right-handed.

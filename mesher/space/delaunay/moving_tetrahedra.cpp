@@ -156,6 +156,11 @@ bool MovingTetrahedra::rebuild() {
     return true;
 }
 
+PeriodicDelaunay MovingTetrahedra::release(TorusTetrahedra tetrahedra) {
+    tetrahedra_ = std::move(tetrahedra);
+    return release();
+}
+
 PeriodicDelaunay MovingTetrahedra::release() {
     std::vector<Offset> change(static_cast<std::size_t>(n_sites()));
     Points coordinates(3, n_sites());

@@ -107,6 +107,8 @@ class MovingTetrahedra {
     /// Returns the sites and their triangulation in the numbering of the constructor's argument.
     /// The object must not be used afterwards.
     PeriodicDelaunay release();
+    /// The same with other tetrahedra of the sites at their positions.
+    PeriodicDelaunay release(TorusTetrahedra tetrahedra);
 
    private:
     std::optional<ExchangedTetrahedra> flip(const std::vector<int>& facets);

@@ -4,7 +4,8 @@
 
 namespace pcvt::space {
 
-/// Sites and their periodic Delaunay triangulation.
+/// Sites and their periodic Delaunay triangulation; with weights their regular triangulation, the
+/// dual of the power diagram.
 ///
 /// Example usage:
 ///
@@ -13,6 +14,8 @@ namespace pcvt::space {
 struct PeriodicDelaunay {
     Sites sites;
     TorusTetrahedra tetrahedra;
+    /// Of each site, length^2; empty: all are equal.
+    Eigen::VectorXd weights = {};
 };
 
 /// Triangulates sites by inserted_tetrahedra(), which is three times as fast as the mirrors; by

@@ -6,13 +6,15 @@
 #include <cmath>
 #include <cstdint>
 
+#include "mesher/space/delaunay/power_predicates.hpp"
 #include "mesher/space/geometry/wide_integer.hpp"
 
 namespace pcvt::space {
 namespace {
 
 /// A difference has 54 bits and a determinant of three of them 165. The Gram matrix has at most 101
-/// bits (its largest entry is below 2^41), a squared length 213, and their product 380.
+/// bits (its largest entry is below 2^41), a squared length 213, and their product 380. Weights
+/// below 2^43 are multiples of 2^-100, so that a height has no more bits.
 using Determinant = WideInteger<3>;
 using SquaredLength = WideInteger<4>;
 using Product = WideInteger<6>;
@@ -53,14 +55,23 @@ Components<Determinant> integers(const Displacement& d) {
     return {integer(d.x), integer(d.y), integer(d.z)};
 }
 
-/// An entry of the Gram matrix times 2^60; it is a multiple of 2^-60 with at most 53 digits.
-SquaredLength gram_integer(double entry) {
+/// A multiple of 2^-bits with at most 53 digits, times 2^bits, below 2^177.
+SquaredLength scaled_integer(double number, int bits) {
     int exponent = 0;
-    const double mantissa = std::frexp(entry, &exponent);
-    const int shift = std::max(exponent - 53 + 60, 0);
-    const double digits = std::ldexp(mantissa, exponent + 60 - shift);
+    const double mantissa = std::frexp(number, &exponent);
+    const int shift = std::max(exponent - 53 + bits, 0);
+    const double digits = std::ldexp(mantissa, exponent + bits - shift);
     const SquaredLength low(static_cast<std::int64_t>(digits));
-    return low * SquaredLength(std::int64_t{1} << std::min(shift, 62));
+    const SquaredLength scaled = low * SquaredLength(std::int64_t{1} << std::min(shift, 62));
+    return shift <= 62 ? scaled : scaled * SquaredLength(std::int64_t{1} << (shift - 62));
+}
+
+SquaredLength gram_integer(double entry) { return scaled_integer(entry, 60); }
+
+/// The difference of two weights, times 2^160.
+SquaredLength weight_difference(double of, double from) {
+    const auto number = [](double w) { return scaled_integer(w, kWeightBits); };
+    return (number(of) - number(from)) * SquaredLength(std::int64_t{1} << (160 - kWeightBits));
 }
 
 /// The squared length of a difference, times 2^160.
@@ -82,11 +93,13 @@ Displacement largest(const Displacement& s, const Displacement& t) {
             std::max(s.z, std::abs(t.z))};
 }
 
-int exact_in_sphere(const Gram& gram, const std::array<Displacement, 4>& d) {
+/// @param height  of the displacements, times 2^160.
+int exact_in_sphere(const std::array<Displacement, 4>& d,
+                    const std::array<SquaredLength, 4>& height) {
     const std::array<Components<Determinant>, 4> e{integers(d[0]), integers(d[1]), integers(d[2]),
                                                    integers(d[3])};
     const auto term = [&](int k, const Determinant& minor) {
-        return Product(squared_length(gram, d[k])) * Product(minor);
+        return Product(height[k]) * Product(minor);
     };
     const Product value =
         term(0, determinant(e[1], e[2], e[3])) - term(1, determinant(e[0], e[2], e[3])) +
@@ -118,10 +131,14 @@ Vec3 divided(const Gram& gram, const Vec3& v) {
 
 }  // namespace
 
-Gram gram_of(const Lattice& reduced) {
+double gram_unit(const Lattice& reduced) {
     int exponent = 0;
     std::frexp(reduced.a().norm(), &exponent);
-    const double unit = std::ldexp(1.0, exponent);
+    return std::ldexp(1.0, exponent);
+}
+
+Gram gram_of(const Lattice& reduced) {
+    const double unit = gram_unit(reduced);
     const auto entry = [unit](const Vec3& p, const Vec3& q) {
         const double product = (p / unit).dot(q / unit);
         return std::nearbyint(product * kGramGrid) / kGramGrid;
@@ -161,13 +178,38 @@ int in_sphere(const Gram& gram, const Image& p, const Image& q, const Image& r, 
     const double value = in_sphere_determinant(d, {height(0), height(1), height(2), height(3)});
     const auto m = largest(largest(largest(largest({0, 0, 0}, d[0]), d[1]), d[2]), d[3]);
     if (std::abs(value) > in_sphere_rounding(gram, m)) return sign(value);
-    return exact_in_sphere(gram, d);
+    return exact_in_sphere(d, {squared_length(gram, d[0]), squared_length(gram, d[1]),
+                               squared_length(gram, d[2]), squared_length(gram, d[3])});
 }
 
-bool violates_delaunay(const Gram& gram, const Image& p, const Image& q, const Image& r,
-                       const Image& s, const Image& t) {
-    const int side = in_sphere(gram, p, q, r, s, t);
-    if (side != 0) return side > 0;
+int in_power_sphere(const Gram& gram, const WeightedImage& p, const WeightedImage& q,
+                    const WeightedImage& r, const WeightedImage& s, const WeightedImage& t) {
+    const std::array<Displacement, 4> d{difference(t.at, p.at), difference(t.at, q.at),
+                                        difference(t.at, r.at), difference(t.at, s.at)};
+    const std::array<double, 4> weight{p.weight, q.weight, r.weight, s.weight};
+    std::array<double, 4> height;
+    Displacement m{0, 0, 0};
+    double largest_difference = 0;
+    for (int k = 0; k < 4; ++k) {
+        const double w = weight[k] - t.weight;
+        height[k] = gram.squared_length(d[k].x, d[k].y, d[k].z) - w;
+        m = largest(m, d[k]);
+        largest_difference = std::max(largest_difference, std::abs(w));
+    }
+    const double value = in_sphere_determinant(d, height);
+    const double bound =
+        in_sphere_rounding(gram, m) + kInSphereError * m.x * m.y * m.z * largest_difference;
+    if (std::abs(value) > bound) return sign(value);
+    const auto exact_height = [&](int k) {
+        return squared_length(gram, d[k]) - weight_difference(weight[k], t.weight);
+    };
+    return exact_in_sphere(d, {exact_height(0), exact_height(1), exact_height(2), exact_height(3)});
+}
+
+namespace {
+
+/// The rule of violates_delaunay() for ties.
+bool tie_violates(const Image& p, const Image& q, const Image& r, const Image& s, const Image& t) {
     // The greatest point whose perturbation changes the determinant decides.
     std::array<const Image*, 5> order{&p, &q, &r, &s, &t};
     std::sort(order.begin(), order.end(), [](const Image* one, const Image* other) {
@@ -182,6 +224,20 @@ bool violates_delaunay(const Gram& gram, const Image& p, const Image& q, const I
         if (turn != 0) return turn > 0;
     }
     return false;
+}
+
+}  // namespace
+
+bool violates_delaunay(const Gram& gram, const Image& p, const Image& q, const Image& r,
+                       const Image& s, const Image& t) {
+    const int side = in_sphere(gram, p, q, r, s, t);
+    return side != 0 ? side > 0 : tie_violates(p, q, r, s, t);
+}
+
+bool violates_regularity(const Gram& gram, const WeightedImage& p, const WeightedImage& q,
+                         const WeightedImage& r, const WeightedImage& s, const WeightedImage& t) {
+    const int side = in_power_sphere(gram, p, q, r, s, t);
+    return side != 0 ? side > 0 : tie_violates(p.at, q.at, r.at, s.at, t.at);
 }
 
 int in_coplanar_circle(const Gram& gram, const Image& p, const Image& q, const Image& r,
@@ -212,23 +268,49 @@ Vec3 circumcentre(const Gram& gram, const Image& p, const Image& q, const Image&
                   twice_det);
 }
 
-Vec3 exact_circumcentre(const Gram& gram, const std::array<Vec3, 3>& d) {
-    const auto vector = [](const Vec3& p) { return Displacement{p.x(), p.y(), p.z()}; };
-    const std::array<Displacement, 3> edge{vector(d[0]), vector(d[1]), vector(d[2])};
+namespace {
+
+/// The point c with 2 d_k . c = height k for k = 0, 1, 2.
+/// @param height  times 2^160.
+Vec3 exact_centre(const Gram& gram, const std::array<Displacement, 3>& edge,
+                  const std::array<SquaredLength, 3>& height) {
     const std::array<Components<Determinant>, 3> e{integers(edge[0]), integers(edge[1]),
                                                    integers(edge[2])};
     std::array<Product, 3> sum{Product(0), Product(0), Product(0)};
     for (int k = 0; k < 3; ++k) {
-        const Product height(squared_length(gram, edge[k]));
+        const Product times(height[k]);
         const auto minor = cross(e[(k + 1) % 3], e[(k + 2) % 3]);
-        sum[0] = sum[0] + height * Product(minor.x);
-        sum[1] = sum[1] + height * Product(minor.y);
-        sum[2] = sum[2] + height * Product(minor.z);
+        sum[0] = sum[0] + times * Product(minor.x);
+        sum[1] = sum[1] + times * Product(minor.y);
+        sum[2] = sum[2] + times * Product(minor.z);
     }
     // The sums are multiples of 2^-260, the determinant of 2^-150.
     const double twice_det = 2 * determinant(e[0], e[1], e[2]).rounded();
     const auto quotient = [&](int k) { return std::ldexp(sum[k].rounded() / twice_det, -110); };
     return divided(gram, {quotient(0), quotient(1), quotient(2)});
+}
+
+std::array<Displacement, 3> displacements(const std::array<Vec3, 3>& d) {
+    const auto vector = [](const Vec3& p) { return Displacement{p.x(), p.y(), p.z()}; };
+    return {vector(d[0]), vector(d[1]), vector(d[2])};
+}
+
+}  // namespace
+
+Vec3 exact_circumcentre(const Gram& gram, const std::array<Vec3, 3>& d) {
+    const auto edge = displacements(d);
+    return exact_centre(gram, edge,
+                        {squared_length(gram, edge[0]), squared_length(gram, edge[1]),
+                         squared_length(gram, edge[2])});
+}
+
+Vec3 exact_orthocentre(const Gram& gram, const std::array<Vec3, 3>& d,
+                       const std::array<double, 4>& weight) {
+    const auto edge = displacements(d);
+    const auto height = [&](int k) {
+        return squared_length(gram, edge[k]) - weight_difference(weight[k + 1], weight[0]);
+    };
+    return exact_centre(gram, edge, {height(0), height(1), height(2)});
 }
 
 }  // namespace pcvt::space

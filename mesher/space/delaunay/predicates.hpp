@@ -53,6 +53,8 @@ struct Gram {
 };
 
 Gram gram_of(const Lattice& reduced);
+/// The unit of length of gram_of(), a power of two.
+double gram_unit(const Lattice& reduced);
 
 /// The coordinates of a displacement in the reduced basis.
 template <class Number>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "mesher/base/checkpoint.hpp"
 
@@ -14,6 +15,20 @@ constexpr int kPasses = 4;
 constexpr std::int64_t kFlipsPerSuspect = 64;
 
 }  // namespace
+
+void cancel_common(ExchangedTetrahedra& exchanged) {
+    auto& [one, other] = exchanged;
+    std::sort(one.begin(), one.end());
+    std::sort(other.begin(), other.end());
+    std::vector<Tetrahedron> only_one;
+    std::vector<Tetrahedron> only_other;
+    std::set_difference(one.begin(), one.end(), other.begin(), other.end(),
+                        std::back_inserter(only_one));
+    std::set_difference(other.begin(), other.end(), one.begin(), one.end(),
+                        std::back_inserter(only_other));
+    one = std::move(only_one);
+    other = std::move(only_other);
+}
 
 int TetrahedraFlips::turn(const Corner& p, const Corner& q, const Corner& r,
                           const Corner& s) const {
@@ -32,8 +47,10 @@ bool TetrahedraFlips::flip(const std::vector<int>& facets) {
             const int f = queue_.back();
             queue_.pop_back();
             if (f >= tetrahedra_.n_facets()) continue;
-            if (is_locally_delaunay(tetrahedra_, coordinates_, gram_, f)) continue;
-            if (!try_flip(f)) stuck.push_back(f);
+            if (stays(f)) continue;
+            const Outcome outcome = try_flip(f);
+            if (outcome == Outcome::kEnd) return false;
+            if (outcome == Outcome::kWaits) stuck.push_back(f);
             if (n_flips_ > most) {
                 queue_.insert(queue_.end(), stuck.begin(), stuck.end());
                 return false;
@@ -42,36 +59,44 @@ bool TetrahedraFlips::flip(const std::vector<int>& facets) {
         if (stuck.empty()) return true;
         queue_ = std::move(stuck);
     }
-    std::erase_if(queue_, [this](int f) {
-        return f >= tetrahedra_.n_facets() ||
-               is_locally_delaunay(tetrahedra_, coordinates_, gram_, f);
-    });
+    std::erase_if(queue_, [this](int f) { return f >= tetrahedra_.n_facets() || stays(f); });
     return queue_.empty();
 }
 
-bool TetrahedraFlips::try_flip(int facet) {
+bool TetrahedraFlips::stays(int facet) const {
+    return is_locally_delaunay(tetrahedra_, coordinates_, gram_, facet);
+}
+
+bool TetrahedraFlips::note_blocked(const std::array<Corner, 3>& /*triangle*/, int /*inner*/) {
+    return true;
+}
+
+TetrahedraFlips::Outcome TetrahedraFlips::try_flip(int facet) {
     const std::array<Corner, 3> triangle = tetrahedra_.facet(facet);
     const Corner d = tetrahedra_.corner(facet);
     const Corner e = tetrahedra_.apex_across(facet);
     // On which side of each edge does the line from d to e pass?
     std::array<int, 3> side{};
     int n_positive = 0;
+    int inner = 0;
     int other = 0;
     for (int k = 0; k < 3; ++k) {
         side[k] = turn(triangle[k], triangle[(k + 1) % 3], e, d);
         if (side[k] > 0) {
             ++n_positive;
+            inner = k;
         } else {
             other = k;
         }
     }
-    if (n_positive == 2) return flip_edge(facet, other, side[other] == 0);
-    if (n_positive < 2) return false;
+    const auto outcome = [](bool flipped) { return flipped ? Outcome::kFlipped : Outcome::kWaits; };
+    if (n_positive == 2) return outcome(flip_edge(facet, other, side[other] == 0));
+    if (n_positive < 2) return note_blocked(triangle, inner) ? Outcome::kWaits : Outcome::kEnd;
     // 2-3: the line passes through the facet.
     const auto& [a, b, c] = triangle;
-    return replace(
+    return outcome(replace(
         {{facet / 4, {}}, {tetrahedra_.opposite(facet) / 4, tetrahedra_.frame_across(facet)}},
-        {{a, b, e, d}, {b, c, e, d}, {c, a, e, d}}, {2, 3});
+        {{a, b, e, d}, {b, c, e, d}, {c, a, e, d}}, {2, 3}));
 }
 
 /// 3-2, or 4-4 where the edge a b is coplanar with d and e.
@@ -114,32 +139,29 @@ int TetrahedraFlips::facet_opposite_to(int tetrahedron, const Corner& corner, Of
     return 4 * tetrahedron + 3;
 }
 
-/// Both lists of exchanged tetrahedra are in the frames of their first corners.
-void TetrahedraFlips::note_exchanged(const std::vector<Tetrahedron>& removed,
-                                     const std::vector<Tetrahedron>& added) {
-    exchanged_.removed.insert(exchanged_.removed.end(), removed.begin(), removed.end());
-    for (Tetrahedron t : added) {
-        const Offset frame = t[0].offset;
-        for (Corner& corner : t) corner.offset = corner.offset - frame;
-        exchanged_.added.push_back(t);
-    }
-}
-
-/// A facet between the new tetrahedra of five points is locally Delaunay because the old one was
-/// not.
-bool TetrahedraFlips::replace(const std::vector<TorusTetrahedra::Placed>& old,
-                              const std::vector<Tetrahedron>& fresh,
+/// A facet between the new tetrahedra of five points stays because the old one did not.
+bool TetrahedraFlips::replace(std::initializer_list<TorusTetrahedra::Placed> old,
+                              std::initializer_list<Tetrahedron> fresh,
                               std::initializer_list<int> suspects) {
     for (const auto& [p, q, r, s] : fresh) {
         if (turn(p, q, r, s) <= 0) return false;
     }
-    std::vector<Tetrahedron> removed;
-    for (const auto& placed : old) removed.push_back(tetrahedra_.tetrahedron(placed.number));
-    const auto changed = tetrahedra_.replace(old, fresh);
-    if (changed.empty()) return false;
-    note_exchanged(removed, fresh);
-    for (std::size_t k = 0; k < changed.size(); ++k) {
-        const int t = changed[k];
+    const std::size_t n_removed = exchanged_.removed.size();
+    for (const auto& placed : old) {
+        exchanged_.removed.push_back(tetrahedra_.tetrahedron(placed.number));
+    }
+    if (!tetrahedra_.replace({old.begin(), old.size()}, {fresh.begin(), fresh.size()}, changed_)) {
+        exchanged_.removed.resize(n_removed);
+        return false;
+    }
+    // Both lists of exchanged tetrahedra are in the frames of their first corners.
+    for (Tetrahedron t : fresh) {
+        const Offset frame = t[0].offset;
+        for (Corner& corner : t) corner.offset = corner.offset - frame;
+        exchanged_.added.push_back(t);
+    }
+    for (std::size_t k = 0; k < changed_.size(); ++k) {
+        const int t = changed_[k];
         if (k < fresh.size()) {
             for (const int f : suspects) queue_.push_back(4 * t + f);
         } else {
@@ -147,7 +169,7 @@ bool TetrahedraFlips::replace(const std::vector<TorusTetrahedra::Placed>& old,
         }
     }
     ++n_flips_;
-    if (after_flip_) after_flip_(changed);
+    if (after_flip_) after_flip_(changed_);
     return true;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <initializer_list>
 #include <utility>
@@ -14,6 +15,9 @@ struct ExchangedTetrahedra {
     std::vector<Tetrahedron> removed;
     std::vector<Tetrahedron> added;
 };
+
+/// Removes the tetrahedra that are in both lists from both, and sorts the lists.
+void cancel_common(ExchangedTetrahedra& exchanged);
 
 /// Bistellar flips on a triangulation of the 3-torus (B. Joe 1991): 2-3, 3-2, and 4-4 where four
 /// corners are coplanar. A facet that is not locally Delaunay but cannot be flipped waits until the
@@ -36,12 +40,15 @@ class TetrahedraFlips {
           coordinates_(coordinates),
           gram_(gram),
           after_flip_(std::move(after_flip)) {}
+    virtual ~TetrahedraFlips() = default;
+    TetrahedraFlips(const TetrahedraFlips&) = delete;
+    TetrahedraFlips& operator=(const TetrahedraFlips&) = delete;
 
     /// Flips the suspects that are not locally Delaunay, then the facets that become suspects.
     /// Every tetrahedron must be positive, and remains so.
     /// @param facets  all facets that may not be locally Delaunay, besides those that an earlier
     ///                call could not mend.
-    /// @returns false if facets remain that no flip can mend.
+    /// @returns false if facets remain that no flip can mend, or note_blocked() ended the flips.
     bool flip(const std::vector<int>& facets);
     /// The facets that the last call could not mend.
     std::size_t n_stuck() const { return queue_.size(); }
@@ -49,23 +56,37 @@ class TetrahedraFlips {
     /// The tetrahedra that all flips so far replaced; this object forgets them.
     ExchangedTetrahedra take_exchanged() { return std::exchange(exchanged_, {}); }
 
+   protected:
+    const TorusTetrahedra& tetrahedra() const { return tetrahedra_; }
+    const Points& coordinates() const { return coordinates_; }
+    const Gram& gram() const { return gram_; }
+
    private:
-    bool try_flip(int facet);
+    /// Whether a facet stays: here whether it is locally Delaunay.
+    virtual bool stays(int facet) const;
+    /// Called for a facet that does not stay, where the line between the two corners opposite to it
+    /// passes its edges triangle[k], triangle[k + 1] on their outer sides, except the edge k =
+    /// `inner`.
+    /// @returns whether to go on with the other facets.
+    virtual bool note_blocked(const std::array<Corner, 3>& triangle, int inner);
+
+    enum class Outcome { kFlipped, kWaits, kEnd };
+    Outcome try_flip(int facet);
     bool flip_edge(int facet, int edge, bool is_flat);
     /// The facet of a tetrahedron, placed in a frame, opposite to one of its corners.
     int facet_opposite_to(int tetrahedron, const Corner& corner, Offset frame) const;
     int turn(const Corner& p, const Corner& q, const Corner& r, const Corner& s) const;
-    void note_exchanged(const std::vector<Tetrahedron>& removed,
-                        const std::vector<Tetrahedron>& added);
-    /// @param suspects  the facets of each new tetrahedron that may not be locally Delaunay.
-    bool replace(const std::vector<TorusTetrahedra::Placed>& old,
-                 const std::vector<Tetrahedron>& fresh, std::initializer_list<int> suspects);
+    /// @param suspects  the facets of each new tetrahedron that may not stay.
+    bool replace(std::initializer_list<TorusTetrahedra::Placed> old,
+                 std::initializer_list<Tetrahedron> fresh, std::initializer_list<int> suspects);
 
     TorusTetrahedra& tetrahedra_;
     const Points& coordinates_;
     Gram gram_;
     Observer after_flip_;
     std::vector<int> queue_;
+    /// Of the last flip.
+    std::vector<int> changed_;
     ExchangedTetrahedra exchanged_;
     std::int64_t n_flips_ = 0;
 };

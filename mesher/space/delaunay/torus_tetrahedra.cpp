@@ -14,24 +14,57 @@ std::int8_t narrow(int x) {
     return small;
 }
 
-/// A facet of a tetrahedron as a set of images.
-std::array<Corner, 3> images_of(const Tetrahedron& t, int k, Offset frame) {
-    const auto& corners = TorusTetrahedra::kFacetCorners[k];
-    std::array<Corner, 3> images{t[corners[0]], t[corners[1]], t[corners[2]]};
-    for (Corner& image : images) image.offset = image.offset + frame;
-    std::sort(images.begin(), images.end());
-    return images;
+/// An image in one number: its site, then the components of its offset, all non-negative.
+std::uint64_t packed(const Corner& corner, Offset frame) {
+    constexpr int kBits = 12;
+    constexpr int kBias = 1 << (kBits - 1);
+    const auto biased = [](int x) { return static_cast<std::uint64_t>(x + kBias); };
+    const Offset o = corner.offset + frame;
+    return static_cast<std::uint64_t>(corner.site) << (3 * kBits) | biased(o.i) << (2 * kBits) |
+           biased(o.j) << kBits | biased(o.k);
 }
 
-/// Removes the facet with these images from the list and returns its number, or -1.
-int take(std::vector<TorusTetrahedra::OpenFacet>& open, const std::array<Corner, 3>& images) {
-    const auto found = std::find_if(open.begin(), open.end(),
-                                    [&](const auto& facet) { return facet.first == images; });
-    if (found == open.end()) return -1;
-    const int facet = found->second;
-    open.erase(found);
-    return facet;
+/// A facet as the sorted set of its images, and its number.
+struct OpenFacet {
+    std::array<std::uint64_t, 3> images;
+    int number;
+};
+
+OpenFacet open_facet(const std::array<std::uint64_t, 4>& corners, int k, int number) {
+    const auto& [i, j, m] = TorusTetrahedra::kFacetCorners[k];
+    std::uint64_t a = corners[i];
+    std::uint64_t b = corners[j];
+    std::uint64_t c = corners[m];
+    if (a > b) std::swap(a, b);
+    if (b > c) std::swap(b, c);
+    if (a > b) std::swap(a, b);
+    return {{a, b, c}, number};
 }
+
+std::array<std::uint64_t, 4> packed(const Tetrahedron& t, Offset frame) {
+    return {packed(t[0], frame), packed(t[1], frame), packed(t[2], frame), packed(t[3], frame)};
+}
+
+/// Facets of a few tetrahedra that wait for their other side.
+class OpenFacets {
+   public:
+    bool empty() const { return n_ == 0; }
+    void add(const OpenFacet& facet) { facets_[n_++] = facet; }
+    /// Removes the facet with these images and returns its number, or -1.
+    int take(const OpenFacet& facet) {
+        for (int k = 0; k < n_; ++k) {
+            if (facets_[k].images != facet.images) continue;
+            const int number = facets_[k].number;
+            facets_[k] = facets_[--n_];
+            return number;
+        }
+        return -1;
+    }
+
+   private:
+    std::array<OpenFacet, std::size_t{4} * TorusTetrahedra::kMostReplaced> facets_;
+    int n_ = 0;
+};
 
 /// A facet as all its translates have it: sorted, and relative to its first corner.
 using FacetKey = std::array<Corner, 3>;
@@ -153,48 +186,43 @@ Offset TorusTetrahedra::frame_across(int f) const {
     throw InternalError("two linked facets of tetrahedra differ");
 }
 
-std::vector<int> TorusTetrahedra::replace(const std::vector<Placed>& old,
-                                          const std::vector<Tetrahedron>& fresh) {
-    std::vector<int> numbers;
+bool TorusTetrahedra::replace(std::span<const Placed> old, std::span<const Tetrahedron> fresh,
+                              std::vector<int>& numbers) {
+    numbers.clear();
     for (const Placed& placed : old) numbers.push_back(placed.number);
     std::sort(numbers.begin(), numbers.end());
-    if (std::adjacent_find(numbers.begin(), numbers.end()) != numbers.end()) return {};
+    if (std::adjacent_find(numbers.begin(), numbers.end()) != numbers.end()) return false;
     // Find the outer facets, with their numbers.
-    std::vector<OpenFacet> outer;
+    OpenFacets outer;
     for (const Placed& placed : old) {
+        const auto corners = packed(tetrahedron(placed.number), placed.frame);
         for (int k = 0; k < 4; ++k) {
-            const auto images = images_of(tetrahedron(placed.number), k, placed.frame);
-            if (take(outer, images) < 0) outer.emplace_back(images, 4 * placed.number + k);
+            const OpenFacet facet = open_facet(corners, k, 4 * placed.number + k);
+            if (outer.take(facet) < 0) outer.add(facet);
         }
     }
-    // Number the new tetrahedra.
+    // Link the new tetrahedra to each other and to the facets beyond the outer facets.
     while (numbers.size() < fresh.size()) {
         numbers.push_back(n_tetrahedra());
         offsets_.emplace_back();
         sites_.resize(sites_.size() + 4);
         opposite_.resize(opposite_.size() + 4, -1);
     }
-    link_fresh(fresh, numbers, std::move(outer));
-    for (std::size_t t = 0; t < fresh.size(); ++t) set_tetrahedron(numbers[t], fresh[t]);
-    close_gaps(numbers, fresh.size());
-    return numbers;
-}
-
-void TorusTetrahedra::link_fresh(const std::vector<Tetrahedron>& fresh,
-                                 const std::vector<int>& numbers, std::vector<OpenFacet> outer) {
-    std::vector<std::pair<int, int>> renumbered;
-    std::vector<std::pair<int, int>> links;
-    std::vector<OpenFacet> open;
+    std::array<std::pair<int, int>, std::size_t{4} * kMostReplaced> renumbered;
+    std::array<std::pair<int, int>, std::size_t{4} * kMostReplaced> links;
+    std::size_t n_renumbered = 0;
+    std::size_t n_links = 0;
+    OpenFacets open;
     for (std::size_t t = 0; t < fresh.size(); ++t) {
+        const auto corners = packed(fresh[t], {});
         for (int k = 0; k < 4; ++k) {
-            const auto images = images_of(fresh[t], k, {});
-            const int facet = 4 * numbers[t] + k;
-            if (const int before = take(outer, images); before >= 0) {
-                renumbered.emplace_back(before, facet);
-            } else if (const int other = take(open, images); other >= 0) {
-                links.emplace_back(facet, other);
+            const OpenFacet facet = open_facet(corners, k, 4 * numbers[t] + k);
+            if (const int before = outer.take(facet); before >= 0) {
+                renumbered[n_renumbered++] = {before, facet.number};
+            } else if (const int other = open.take(facet); other >= 0) {
+                links[n_links++] = {facet.number, other};
             } else {
-                open.emplace_back(images, facet);
+                open.add(facet);
             }
         }
     }
@@ -202,32 +230,37 @@ void TorusTetrahedra::link_fresh(const std::vector<Tetrahedron>& fresh,
         throw InternalError("new tetrahedra do not fill the place of the old ones");
     }
     // For few sites an outer facet may lie beyond another.
-    for (const auto& [before, facet] : renumbered) {
-        int beyond = opposite_[before];
-        for (const auto& [other, now] : renumbered) {
-            if (other == beyond) {
-                beyond = now;
+    for (std::size_t k = 0; k < n_renumbered; ++k) {
+        int beyond = opposite_[renumbered[k].first];
+        for (std::size_t m = 0; m < n_renumbered; ++m) {
+            if (renumbered[m].first == beyond) {
+                beyond = renumbered[m].second;
                 break;
             }
         }
-        links.emplace_back(facet, beyond);
+        links[n_links++] = {renumbered[k].second, beyond};
     }
-    for (const auto& [f, o] : links) link(f, o);
+    for (std::size_t k = 0; k < n_links; ++k) link(links[k].first, links[k].second);
+    for (std::size_t t = 0; t < fresh.size(); ++t) set_tetrahedron(numbers[t], fresh[t]);
+    close_gaps(numbers, fresh.size());
+    return true;
 }
 
 void TorusTetrahedra::close_gaps(std::vector<int>& numbers, std::size_t n_fresh) {
     // The last gap goes first, so that the tetrahedron moved is never a gap itself.
-    std::vector<int> gaps(numbers.begin() + std::ptrdiff_t(n_fresh), numbers.end());
-    numbers.resize(n_fresh);
-    for (; !gaps.empty(); gaps.pop_back()) {
+    std::array<int, kMostReplaced> gaps{};
+    const auto n_gaps = static_cast<int>(numbers.size() - n_fresh);
+    std::copy(numbers.begin() + std::ptrdiff_t(n_fresh), numbers.end(), gaps.begin());
+    numbers.erase(numbers.begin() + std::ptrdiff_t(n_fresh), numbers.end());
+    for (int k = n_gaps; k-- > 0;) {
         const int last = n_tetrahedra() - 1;
-        move_last_to(gaps.back());
-        if (gaps.back() == last) continue;
+        move_last_to(gaps[k]);
+        if (gaps[k] == last) continue;
         const auto moved = std::find(numbers.begin(), numbers.end(), last);
         if (moved == numbers.end()) {
-            numbers.push_back(gaps.back());
+            numbers.push_back(gaps[k]);
         } else {
-            *moved = gaps.back();
+            *moved = gaps[k];
         }
     }
 }
@@ -241,8 +274,8 @@ void TorusTetrahedra::move_last_to(int t) {
     }
     offsets_[t] = offsets_[last];
     offsets_.pop_back();
-    sites_.resize(sites_.size() - 4);
-    opposite_.resize(opposite_.size() - 4);
+    sites_.erase(sites_.end() - 4, sites_.end());
+    opposite_.erase(opposite_.end() - 4, opposite_.end());
 }
 
 void TorusTetrahedra::sort() {

@@ -72,7 +72,7 @@ class TorusTetrahedra {
     int opposite(int f) const { return opposite_[f]; }
     void fetch_opposite(int f) const { prefetch(&opposite_[f]); }
     /// Corner f % 4 of tetrahedron f / 4.
-    Corner corner(int f) const { return {sites_[f], offset(f)}; }
+    [[gnu::always_inline]] Corner corner(int f) const { return {sites_[f], offset(f)}; }
     Tetrahedron tetrahedron(int t) const {
         return {corner(4 * t), corner(4 * t + 1), corner(4 * t + 2), corner(4 * t + 3)};
     }
@@ -90,18 +90,20 @@ class TorusTetrahedra {
     std::span<const SiteId> corner_sites() const { return sites_; }
     std::span<const TetrahedronOffsets> corner_offsets() const { return offsets_; }
 
-    /// A facet that waits for its other side: its sorted images, and its number.
-    using OpenFacet = std::pair<std::array<Corner, 3>, int>;
     /// A tetrahedron, and the offset to add to its corners.
     struct Placed {
         int number;
         Offset frame;
     };
+    /// The largest number of tetrahedra that replace() takes, and the largest that it adds.
+    static constexpr int kMostReplaced = 4;
     /// Replaces tetrahedra by others that fill the same polyhedron, all in one frame; neither may
     /// have a corner inside of it.
-    /// @returns the numbers of all tetrahedra that are new or have another number than before;
-    ///          none if an old tetrahedron occurs twice, so that nothing was replaced.
-    std::vector<int> replace(const std::vector<Placed>& old, const std::vector<Tetrahedron>& fresh);
+    /// @param changed  gets the numbers of all tetrahedra that are new, in their order, then of
+    ///                 those that have another number than before.
+    /// @returns false if an old tetrahedron occurs twice, so that nothing was replaced.
+    bool replace(std::span<const Placed> old, std::span<const Tetrahedron> fresh,
+                 std::vector<int>& changed);
 
     /// Renumbers the tetrahedra by their smallest sites. Where neighbouring sites have close
     /// numbers, so have neighbouring tetrahedra then, which replacements scatter.
@@ -122,10 +124,6 @@ class TorusTetrahedra {
         opposite_[f] = o;
         opposite_[o] = f;
     }
-    /// Links the facets of new tetrahedra, with these numbers, to each other and to the facets
-    /// beyond the outer facets of the old ones.
-    void link_fresh(const std::vector<Tetrahedron>& fresh, const std::vector<int>& numbers,
-                    std::vector<OpenFacet> outer);
     /// Moves the last tetrahedra to the numbers from n_fresh on, and notes their new numbers.
     void close_gaps(std::vector<int>& numbers, std::size_t n_fresh);
     void move_last_to(int t);

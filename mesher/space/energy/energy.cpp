@@ -3,119 +3,26 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 
-#include "mesher/base/prefetch.hpp"
 #include "mesher/base/simd.hpp"
 #include "mesher/base/target_clones.hpp"
+#include "mesher/space/energy/slab_sums.hpp"
+#include "mesher/space/energy/tetrahedron_corners.hpp"
 
 namespace pcvt::space {
 namespace {
 
-/// A slab, the task of one worker, has at least this number of tetrahedra.
-constexpr int kTetrahedraPerSlab = 50'000;
-constexpr int kMostSlabs = 32;
 /// Contributions of this many mean cells lose four bits in the sum of a site.
 constexpr double kLargest = 16;
 
-/// The rounding of two heights and of their sum to single precision, relative to both; rounded up.
-constexpr float kSumError = 0x1p-22F;
-/// The number of suspects by which the prefetch of their heights is ahead.
-constexpr std::size_t kSuspectsFetched = 8;
 constexpr Eigen::Index kNumbers = MovingTetrahedra::kNumbersPerSite;
 /// The blocks of sites that one task adds up.
 constexpr int kBlocksPerTask = 64;
-
-/// Where the height above facet f is kept: the rows of each block of tetrahedra follow each other.
-std::size_t height_place(int f) {
-    constexpr int kSize = TetrahedronBlock::kSize;
-    const int t = f / 4;
-    return 4 * std::size_t(t - t % kSize) + (f % 4) * kSize + t % kSize;
-}
 
 /// The gradient and the volume of a cell; one load takes all four numbers.
 struct alignas(4 * sizeof(double)) CellSums {
     std::array<double, 4> value{};
 };
-
-/// The sums over the tetrahedra of a slab, in blocks of sites that are made where they are needed:
-/// the tetrahedra have few of all sites as corners.
-class SlabSums {
-   public:
-    static constexpr int kBlock = 64;
-    using Block = Eigen::Matrix<double, 4, kBlock>;
-
-    void clear(int n_sites) {
-        place_.assign(n_blocks(n_sites), -1);
-        sums_.clear();
-    }
-    static std::size_t n_blocks(int n_sites) {
-        return static_cast<std::size_t>((n_sites + kBlock - 1) / kBlock);
-    }
-    /// The number in data() of a site's sums, which are made if there are none.
-    int place(SiteId site) {
-        int& place = place_[unsigned(site) / kBlock];
-        if (place < 0) {
-            place = static_cast<int>(sums_.size());
-            sums_.resize(sums_.size() + kBlock);
-        }
-        return place + int(unsigned(site) % kBlock);
-    }
-    CellSums* data() { return sums_.data(); }
-    /// Adds block b of the sites to others.
-    void add_block_to(std::size_t b, Block& others) const {
-        if (place_[b] >= 0) others += Eigen::Map<const Block>(sums_[place_[b]].value.data());
-    }
-
-   private:
-    /// Where the sums of each block begin, or -1.
-    std::vector<int> place_;
-    std::vector<CellSums> sums_;
-};
-
-/// Fills up an incomplete block with tetrahedra that cause no division by zero.
-void fill_up(TetrahedronBlock& block, int n) {
-    for (int k = n; k < TetrahedronBlock::kSize; ++k) {
-        for (int c = 0; c < 9; ++c) block.corner[c / 3][c % 3][k] = c / 3 == c % 3 ? 1 : 0;
-    }
-}
-
-void gather(const TorusTetrahedra& tetrahedra, const Points& coordinates, int at, int n,
-            TetrahedronBlock& block) {
-    const SiteId* site = tetrahedra.corner_sites().data() + 4 * std::size_t(at);
-    const TetrahedronOffsets* offsets = tetrahedra.corner_offsets().data() + at;
-    const double* const u = coordinates.data();
-    for (int k = 0; k < n; ++k, site += 4) {
-        const double* const origin = u + 3 * std::size_t(site[0]);
-        for (int c = 0; c < 3; ++c) {
-            const double* const corner = u + 3 * std::size_t(site[c + 1]);
-            for (int axis = 0; axis < 3; ++axis) {
-                block.corner[c][axis][k] = corner[axis] - origin[axis];
-            }
-        }
-        if (offsets[k].all_zero()) continue;
-        for (int c = 0; c < 9; ++c) block.corner[c / 3][c % 3][k] += offsets[k].relative[c];
-    }
-    fill_up(block, n);
-}
-
-void gather(std::span<const Tetrahedron> tetrahedra, const Points& coordinates,
-            TetrahedronBlock& block) {
-    for (std::size_t k = 0; k < tetrahedra.size(); ++k) {
-        const Vec3 origin = image(coordinates, tetrahedra[k][0]).at;
-        for (int c = 0; c < 3; ++c) {
-            const Vec3 edge = image(coordinates, tetrahedra[k][c + 1]).at - origin;
-            for (int axis = 0; axis < 3; ++axis) block.corner[c][axis][k] = edge[axis];
-        }
-    }
-    fill_up(block, static_cast<int>(tetrahedra.size()));
-}
-
-void keep_heights(const TetrahedronBlock& block, float* to) {
-    for (const TetrahedronBlock::Row& row : block.height) {
-        for (const double height : row) *to++ = static_cast<float>(height);
-    }
-}
 
 /// Adds the terms of the first n tetrahedra of a block.
 /// @param places  of the sums at their corners, four a tetrahedron.
@@ -151,20 +58,6 @@ void append(std::vector<int>& list, const std::vector<int>& more) {
     list.insert(list.end(), more.begin(), more.end());
 }
 
-/// Removes the tetrahedra that are in both lists from both.
-void cancel_common(std::vector<Tetrahedron>& one, std::vector<Tetrahedron>& other) {
-    std::sort(one.begin(), one.end());
-    std::sort(other.begin(), other.end());
-    std::vector<Tetrahedron> only_one;
-    std::vector<Tetrahedron> only_other;
-    std::set_difference(one.begin(), one.end(), other.begin(), other.end(),
-                        std::back_inserter(only_one));
-    std::set_difference(other.begin(), other.end(), one.begin(), one.end(),
-                        std::back_inserter(only_other));
-    one = std::move(only_one);
-    other = std::move(only_other);
-}
-
 /// Adds the contribution of tetrahedron k of a block to an energy, times 1 or -1.
 void add(const TetrahedronBlock& block, int k, const Tetrahedron& corners, double sign,
          Energy& energy) {
@@ -190,7 +83,7 @@ bool add_tetrahedra(std::span<const Tetrahedron> tetrahedra, double sign, const 
         const auto part =
             tetrahedra.first(std::min<std::size_t>(tetrahedra.size(), TetrahedronBlock::kSize));
         const int n = static_cast<int>(part.size());
-        gather(part, coordinates, block);
+        gather_corners(part, coordinates, block.corner);
         compute(block, n, frame);
         for (int k = 0; k < n; ++k) {
             bool small = std::abs(block.value[k]) <= largest_value;
@@ -209,15 +102,13 @@ bool add_tetrahedra(std::span<const Tetrahedron> tetrahedra, double sign, const 
 
 /// One task of the pass: a range of tetrahedra.
 struct EnergySums::Slab {
-    int first = 0;
-    int end = 0;
-    SlabSums sums = {};
+    SlabRange range = {};
+    SlabSums<CellSums> sums = {};
     double value = 0;
     Suspects suspects = {};
 
     void run(const TorusTetrahedra& tetrahedra, const Points& coordinates, const Frame& frame,
-             std::vector<float>& heights);
-    void certify(const TorusTetrahedra& tetrahedra, const std::vector<float>& heights);
+             FacetHeights& heights);
 
    private:
     void add_suspects(int t, const TetrahedronBlock& block, int k);
@@ -225,18 +116,18 @@ struct EnergySums::Slab {
 };
 
 void EnergySums::Slab::run(const TorusTetrahedra& tetrahedra, const Points& coordinates,
-                           const Frame& frame, std::vector<float>& heights) {
+                           const Frame& frame, FacetHeights& heights) {
     sums.clear(tetrahedra.n_sites());
     value = 0;
     suspects.tetrahedra.clear();
     suspects.facets.clear();
     TetrahedronBlock block;
-    for (int at = first; at < end; at += TetrahedronBlock::kSize) {
-        const int n = std::min(TetrahedronBlock::kSize, end - at);
-        gather(tetrahedra, coordinates, at, n, block);
+    for (int at = range.first; at < range.end; at += TetrahedronBlock::kSize) {
+        const int n = std::min(TetrahedronBlock::kSize, range.end - at);
+        gather_corners(tetrahedra, coordinates, at, n, block.corner);
         compute(block, n, frame);
         scatter(tetrahedra, at, n, block);
-        keep_heights(block, heights.data() + 4 * std::size_t(at));
+        heights.keep(at, block.height);
     }
 }
 
@@ -262,52 +153,22 @@ void EnergySums::Slab::add_suspects(int t, const TetrahedronBlock& block, int k)
     }
 }
 
-/// Removes the suspects whose two heights have a sum that is certainly positive.
-void EnergySums::Slab::certify(const TorusTetrahedra& tetrahedra,
-                               const std::vector<float>& heights) {
-    std::vector<int>& facets = suspects.facets;
-    const auto later = [&](std::size_t k) { return facets[std::min(k, facets.size() - 1)]; };
-    std::size_t n_kept = 0;
-    for (std::size_t k = 0; k < facets.size(); ++k) {
-        const int f = facets[k];
-        tetrahedra.fetch_opposite(later(k + 2 * kSuspectsFetched));
-        const int next = later(k + kSuspectsFetched);
-        for (const int g : {next, tetrahedra.opposite(next)}) prefetch(&heights[height_place(g)]);
-        const float here = heights[height_place(f)];
-        const float there = heights[height_place(tetrahedra.opposite(f))];
-        const bool certain = here + there > kSumError * (std::abs(here) + std::abs(there));
-        if (!certain) facets[n_kept++] = f;
-    }
-    facets.resize(n_kept);
-}
-
 EnergySums::EnergySums() = default;
 EnergySums::~EnergySums() = default;
 EnergySums::EnergySums(const EnergySums&) = default;
 EnergySums& EnergySums::operator=(const EnergySums&) = default;
 
-void EnergySums::divide(int n_tetrahedra) {
-    constexpr int kSize = TetrahedronBlock::kSize;
-    const int n_slabs = std::clamp(n_tetrahedra / kTetrahedraPerSlab, 1, kMostSlabs);
-    const int n_blocks = (n_tetrahedra + kSize - 1) / kSize;
-    slabs_.resize(static_cast<std::size_t>(n_slabs));
-    for (int k = 0; k < n_slabs; ++k) {
-        const auto limit = [&](int s) {
-            return static_cast<int>(std::int64_t{n_blocks} * s / n_slabs) * kSize;
-        };
-        slabs_[k].first = limit(k);
-        slabs_[k].end = std::min(limit(k + 1), n_tetrahedra);
-    }
-}
-
 Suspects EnergySums::run(const TorusTetrahedra& tetrahedra, const Points& coordinates,
                          const Frame& frame, Workers& workers, Energy& energy) {
-    divide(tetrahedra.n_tetrahedra());
-    const auto n_slabs = static_cast<int>(slabs_.size());
-    heights_.resize(4 * std::size_t(tetrahedra.n_tetrahedra() + TetrahedronBlock::kSize));
+    const std::vector<SlabRange> ranges = slabs_of(tetrahedra.n_tetrahedra());
+    const auto n_slabs = static_cast<int>(ranges.size());
+    slabs_.resize(ranges.size());
+    for (int k = 0; k < n_slabs; ++k) slabs_[k].range = ranges[k];
+    heights_.resize(tetrahedra.n_tetrahedra());
     workers.for_each(n_slabs,
                      [&](int k) { slabs_[k].run(tetrahedra, coordinates, frame, heights_); });
-    workers.for_each(n_slabs, [&](int k) { slabs_[k].certify(tetrahedra, heights_); });
+    workers.for_each(
+        n_slabs, [&](int k) { heights_.remove_certain(tetrahedra, slabs_[k].suspects.facets); });
     add_up(tetrahedra.n_sites(), workers, energy);
     Suspects suspects;
     for (const Slab& slab : slabs_) {
@@ -323,14 +184,19 @@ void EnergySums::add_up(int n_sites, Workers& workers, Energy& energy) const {
     for (const Slab& slab : slabs_) energy.value += slab.value;
     energy.gradient.resize(kNumbers * n_sites);
     energy.mass.resize(n_sites);
-    const auto n_blocks = static_cast<int>(SlabSums::n_blocks(n_sites));
+    using Sums = SlabSums<CellSums>;
+    using Block = Eigen::Matrix<double, 4, Sums::kBlock>;
+    const auto n_blocks = static_cast<int>(Sums::n_blocks(n_sites));
     workers.for_each((n_blocks + kBlocksPerTask - 1) / kBlocksPerTask, [&](int task) {
         const int end = std::min((task + 1) * kBlocksPerTask, n_blocks);
         for (int b = task * kBlocksPerTask; b < end; ++b) {
-            SlabSums::Block sums = SlabSums::Block::Zero();
-            for (const Slab& slab : slabs_) slab.sums.add_block_to(b, sums);
-            const Eigen::Index first = b * SlabSums::kBlock;
-            const Eigen::Index n = std::min<Eigen::Index>(SlabSums::kBlock, n_sites - first);
+            Block sums = Block::Zero();
+            for (const Slab& slab : slabs_) {
+                const CellSums* const part = slab.sums.block(b);
+                if (part != nullptr) sums += Eigen::Map<const Block>(part->value.data());
+            }
+            const Eigen::Index first = b * Sums::kBlock;
+            const Eigen::Index n = std::min<Eigen::Index>(Sums::kBlock, n_sites - first);
             energy.mass.segment(first, n) = sums.row(3).head(n).transpose();
             sums.row(3).setZero();
             energy.gradient.segment(kNumbers * first, kNumbers * n) = sums.leftCols(n).reshaped();
@@ -340,7 +206,7 @@ void EnergySums::add_up(int n_sites, Workers& workers, Energy& energy) const {
 
 bool correct_for_exchange(ExchangedTetrahedra exchanged, const Points& coordinates,
                           const Frame& frame, Energy& energy) {
-    cancel_common(exchanged.removed, exchanged.added);
+    cancel_common(exchanged);
     return add_tetrahedra(exchanged.removed, -1, coordinates, frame, energy) &&
            add_tetrahedra(exchanged.added, 1, coordinates, frame, energy);
 }

@@ -3,6 +3,7 @@
 #include "mesher/base/workers.hpp"
 #include "mesher/cvt/energy.hpp"
 #include "mesher/space/delaunay/moving_tetrahedra.hpp"
+#include "mesher/space/energy/facet_heights.hpp"
 #include "mesher/space/energy/tetrahedron_terms.hpp"
 
 namespace pcvt::space {
@@ -51,12 +52,11 @@ class EnergySums {
 
    private:
     struct Slab;
-    void divide(int n_tetrahedra);
     void add_up(int n_sites, Workers& workers, Energy& energy) const;
 
     std::vector<Slab> slabs_;
-    /// TetrahedronBlock::height of all tetrahedra, a number a facet.
-    std::vector<float> heights_;
+    /// TetrahedronBlock::height of all tetrahedra.
+    FacetHeights heights_;
 };
 
 /// Corrects an energy for exchanged tetrahedra, at a cost in proportion to their number.

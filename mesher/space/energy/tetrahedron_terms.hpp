@@ -3,17 +3,18 @@
 #include <array>
 
 #include "mesher/space/delaunay/frame.hpp"
+#include "mesher/space/energy/tetrahedron_corners.hpp"
 
 namespace pcvt::space {
 
 /// The contributions of many tetrahedra to the energy, its gradient and the volumes of the cells
 /// (energy.hpp), without branches.
 struct TetrahedronBlock {
-    static constexpr int kSize = 32;
-    using Row = std::array<double, kSize>;
+    static constexpr int kSize = kTetrahedraPerBlock;
+    using Row = BlockRow;
 
     /// Input: corners 1, 2 and 3 relative to corner 0, coordinates of the reduced basis.
-    std::array<std::array<Row, 3>, 3> corner;
+    CornerRows corner;
     /// Output: x, y and z of the gradient at a corner, and the volume there; for each corner.
     std::array<std::array<Row, 4>, 4> terms;
     Row value;

@@ -28,6 +28,8 @@ class Intervals {
    public:
     using Moving = Circle;
     static constexpr double kSizeRounding = 0x1p-47;
+    static constexpr auto kAggregation = LaplacianSolver::Aggregation::kPairs;
+    static constexpr int kWarmTrials = 1;
 
     Intervals(const Circle& circle, Workers&) : circle_(&circle) {}
 

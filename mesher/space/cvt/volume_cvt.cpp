@@ -1,0 +1,198 @@
+#include "mesher/space/cvt/volume_cvt.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "mesher/base/error.hpp"
+#include "mesher/cvt/residuals.hpp"
+#include "mesher/space/cvt/distinct_sites.hpp"
+#include "mesher/space/cvt/volume_newton.hpp"
+#include "mesher/space/energy/energy_pass.hpp"
+
+namespace pcvt::space {
+namespace {
+
+/// A centroidal step over the way to the centroid. With 1 it takes more steps to as round cells;
+/// with 2 sites no longer settle.
+constexpr float kBold = 1.5F;
+/// The largest difference between the sum of the volumes and the domain, relative.
+constexpr double kSumTolerance = 1e-6;
+
+void require_volumes(const Eigen::VectorXd& volumes, const Lattice& lattice, Eigen::Index n_sites) {
+    if (volumes.size() != n_sites) {
+        throw InvalidInput("there are " + std::to_string(volumes.size()) + " volumes for " +
+                           std::to_string(n_sites) + " sites; give one for each site");
+    }
+    for (Eigen::Index s = 0; s < volumes.size(); ++s) {
+        if (volumes[s] > 0 && std::isfinite(volumes[s])) continue;
+        throw InvalidInput("the volume of site " + std::to_string(s) +
+                           " is not a positive finite number; correct it");
+    }
+    if (!(std::abs(volumes.sum() / lattice.volume() - 1) <= kSumTolerance)) {
+        throw InvalidInput(
+            "the volumes do not sum to the volume of the domain; scale them to this sum");
+    }
+}
+
+/// The sites in the order of values, equal ones by number.
+std::vector<SiteId> ranked(const Eigen::VectorXd& values) {
+    std::vector<SiteId> order(static_cast<std::size_t>(values.size()));
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](SiteId s, SiteId t) { return values[s] < values[t]; });
+    return order;
+}
+
+Eigen::VectorXd by_rank(const Eigen::VectorXd& volumes, const Eigen::VectorXd& cells) {
+    const std::vector<SiteId> of_cells = ranked(cells);
+    const std::vector<SiteId> of_volumes = ranked(volumes);
+    Eigen::VectorXd given(volumes.size());
+    for (std::size_t k = 0; k < of_cells.size(); ++k) given[of_cells[k]] = volumes[of_volumes[k]];
+    return given;
+}
+
+/// A run in the frame, the unit and the order of the moving tetrahedra.
+class VolumeRun {
+   public:
+    VolumeRun(MovingTetrahedra& moving, const VolumeCvtOptions& options, Workers& workers)
+        : moving_(moving),
+          options_(options),
+          workers_(workers),
+          pass_(moving, workers),
+          newton_(moving, workers),
+          tolerance_(volume_tolerance(moving.n_sites())) {}
+
+    /// Steps until the limit or the tolerance.
+    /// @param targets  by site of the caller.
+    RunStatistics run(const Eigen::VectorXd& targets);
+
+    /// The volumes of the cells of the Delaunay tetrahedra, by site of the caller.
+    Eigen::VectorXd voronoi_volumes() const {
+        PowerDiagram diagram(moving_, workers_);
+        diagram.start();
+        diagram.set_weights(Eigen::VectorXd::Zero(moving_.n_sites()));
+        return original_order(diagram.sizes());
+    }
+    Eigen::VectorXd cell_volumes() const {
+        return original_order(newton_.sizes()) * std::pow(moving_.unit(), 3);
+    }
+    const SizeFigures& figures() const { return figures_; }
+    double largest_error() const { return largest_error_; }
+    const PowerDiagram& diagram() const { return newton_.diagram(); }
+
+   private:
+    Eigen::VectorXd original_order(const Eigen::VectorXd& values) const {
+        Eigen::VectorXd ordered(values.size());
+        for (SiteId s = 0; s < moving_.n_sites(); ++s) {
+            ordered[moving_.original_id(s)] = values[s];
+        }
+        return ordered;
+    }
+    RunStatistics measure(const Eigen::VectorXd& targets, int step);
+    bool report(const RunStatistics& now) const;
+    bool move();
+
+    MovingTetrahedra& moving_;
+    const VolumeCvtOptions& options_;
+    Workers& workers_;
+    EnergyPass pass_;
+    Energy euclidean_;
+    VolumeNewton newton_;
+    PowerCells cells_;
+    SizeFigures figures_;
+    double tolerance_;
+    double largest_error_ = 0;
+};
+
+/// Finds the weights at the present position, and the figures of the cells.
+RunStatistics VolumeRun::measure(const Eigen::VectorXd& targets, int step) {
+    const SizeFigures now = newton_.solve(targets, tolerance_, options_.newton_progress);
+    figures_.largest_relative_error = now.largest_relative_error;
+    figures_.rounding = now.rounding;
+    largest_error_ = (newton_.sizes() - targets).cwiseAbs().maxCoeff() / targets.mean();
+    figures_.converged = now.converged || largest_error_ <= tolerance_;
+    figures_.newton_steps += now.newton_steps;
+    figures_.products += now.products;
+    figures_.trials += now.trials;
+    measure_cells(newton_.diagram().regular(), workers_, cells_);
+    const auto [largest, rms] =
+        residuals(cells_.gradient, cells_.mass, moving_.spacing(), workers_);
+    const bool at_rest = largest <= options_.run.tolerance;
+    return {.stop = !figures_.converged ? Stop::kStalled
+                                        : (at_rest ? Stop::kConverged : Stop::kIterationLimit),
+            .iterations = step,
+            .evaluations = step + 1,
+            .energy = cells_.energy * std::pow(moving_.unit(), 5),
+            .residual = largest,
+            .rms_residual = rms};
+}
+
+bool VolumeRun::report(const RunStatistics& now) const {
+    if (!options_.run.progress) return true;
+    return options_.run.progress({.iteration = now.iterations,
+                                  .evaluations = now.evaluations,
+                                  .value = now.energy,
+                                  .residual = now.residual,
+                                  .rms_residual = now.rms_residual});
+}
+
+/// Takes a bold step, and restores the Delaunay tetrahedra.
+/// @returns false if sites coincide then; they have not moved.
+bool VolumeRun::move() {
+    Eigen::VectorXf direction;
+    steps_to_centroids(cells_.gradient, cells_.mass, direction);
+    direction *= kBold;
+    if (!moving_.step(direction, 1, workers_)) return false;
+    if (pass_.evaluate(euclidean_)) {
+        moving_.settle();
+        return true;
+    }
+    moving_.step_back();
+    pass_.evaluate(euclidean_);
+    return false;
+}
+
+RunStatistics VolumeRun::run(const Eigen::VectorXd& targets) {
+    // Give the targets the order and the unit of the tetrahedra.
+    Eigen::VectorXd ordered(targets.size());
+    for (SiteId s = 0; s < moving_.n_sites(); ++s) ordered[s] = targets[moving_.original_id(s)];
+    ordered *= moving_.frame().volume() / ordered.sum();
+    const int limit = options_.run.max_iterations;
+    for (int step = 0;; ++step) {
+        RunStatistics now = measure(ordered, step);
+        if (!report(now)) now.stop = Stop::kCancelled;
+        const bool at_end = step == limit || (limit < 0 && now.stop == Stop::kConverged);
+        if (at_end || now.stop == Stop::kCancelled) return now;
+        if (!move()) {
+            now.stop = Stop::kStalled;
+            return now;
+        }
+    }
+}
+
+}  // namespace
+
+VolumeCvtResult compute_volume_cvt(const Lattice& lattice, const Points& points,
+                                   const VolumeCvtOptions& options) {
+    require_volumes(options.volumes, lattice, points.cols());
+    MovingTetrahedra moving(distinct_sites(lattice, points));
+    Workers workers(options.run.n_threads);
+    VolumeRun run(moving, options, workers);
+    Eigen::VectorXd targets =
+        options.by_rank ? by_rank(options.volumes, run.voronoi_volumes()) : options.volumes;
+    const RunStatistics statistics = run.run(targets);
+    Eigen::VectorXd cell_volumes = run.cell_volumes();
+    const int n_rebuilds = moving.n_rebuilds();
+    return {.delaunay = weighted_delaunay(moving, run.diagram()),
+            .targets = std::move(targets),
+            .cell_volumes = std::move(cell_volumes),
+            .run = statistics,
+            .volumes = run.figures(),
+            .largest_error = run.largest_error(),
+            .counts = run.diagram().counts(),
+            .n_rebuilds = n_rebuilds};
+}
+
+}  // namespace pcvt::space
