@@ -60,10 +60,10 @@ function watchedRuns() {
         failed: (error) => seen.push(`failed ${error.message}`),
     });
     const settle = () => new Promise((resolve) => { setTimeout(resolve); });
-    /** Lets a run report sites, and cancels it if progress() returns false. */
+    /** Lets a run report sites, and cancels it if progress() returns a true value. */
     const report = async (k, sites) => {
-        const wanted = calls[k].options.progress({ sites: Float64Array.from(sites) });
-        if (wanted === false) calls[k].fail(new Error('cancelled'));
+        const ends = calls[k].options.progress({ sites: Float64Array.from(sites) });
+        if (ends) calls[k].fail(new Error('cancelled'));
         await settle();
     };
     return { seen, calls, runs, settle, report };
