@@ -1,14 +1,17 @@
 // page_test.js CHROMIUM PCVT PAGE: drives the page in the folder PAGE in headless Chromium.
-// It runs, stops and goes on, drags a period vector, compares a downloaded OBJ with the file of the
-// command, and gives fifteen wrong inputs, each of which must show a message at its field. Exits
-// with 1 if a value is wrong or if the console has an entry.
+// It runs, stops and goes on, drags a period vector, compares downloaded OBJs with the files of the
+// command, reads tables, and gives wrong inputs, each of which must show a message at its field. Exits
+// with 1 if a value is wrong or if the console has an entry. The same checks drive PAGE/pcvt.html as a
+// double click opens it, without a server and without a network.
 const assert = require('assert');
 const fs = require('fs');
 const os = require('os');
 const path = require('path');
 const {execFileSync} = require('child_process');
+const {pathToFileURL} = require('url');
 const {withBrowser} = require('../../consumers/browser.js');
 const {withServer} = require('./static_server.js');
+const {checkOwnTables} = require('./table_checks.js');
 
 // Field, wrong text, and other fields that the fault needs.
 const kWrong = [
@@ -126,16 +129,31 @@ async function drive(browser, pcvt, address) {
     await checkRun(browser, address);
     await checkDownload(browser, pcvt);
     assert.deepStrictEqual(complaints(browser, address), []);
-    for (const check of [checkDrag, checkWrong, checkStop]) {
-        await check(browser, address);
+    for (const check of [checkDrag, checkWrong, checkStop, checkOwnTables]) {
+        await check(browser, address, pcvt);
         assert.deepStrictEqual(complaints(browser, address), []);
     }
-    console.log('the page runs, drags, downloads, refuses, stops and goes on');
+    console.log(`${address}: the page runs, drags, downloads, reads tables, refuses, stops and goes on`);
 }
 
-function main(chromium, pcvt, page) {
-    return withServer(
+// The page of one file has its scripts and its module inside.
+async function driveFile(browser, pcvt, page) {
+    await browser.send('Network.emulateNetworkConditions',
+        {offline: true, latency: 0, downloadThroughput: -1, uploadThroughput: -1});
+    const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'pcvt one file '));
+    try {
+        const file = path.join(folder, 'pcvt.html');
+        fs.copyFileSync(path.join(page, 'pcvt.html'), file);
+        await drive(browser, pcvt, pathToFileURL(file).href);
+    } finally {
+        fs.rmSync(folder, {recursive: true});
+    }
+}
+
+async function main(chromium, pcvt, page) {
+    await withServer(
         page, (address) => withBrowser(chromium, (browser) => drive(browser, pcvt, address)));
+    await withBrowser(chromium, (browser) => driveFile(browser, pcvt, page));
 }
 
 main(...process.argv.slice(2)).catch((fault) => {
