@@ -136,6 +136,11 @@ async function checkWeightsAndPhases() {
     assert.deepStrictEqual([...result.orientations], angles);
     checkCells(result);
     result.free();
+    // Four cells meet in each corner of squares, so that two of its edges have no length and are no sides.
+    const squares = await mesh({ sites: Float64Array.of(0.1, 0.1, 0.6, 0.1, 0.1, 0.6, 0.6, 0.6), maxIterations: 0 });
+    assert.deepStrictEqual([...squares.cells().sides], [4, 4, 4, 4]);
+    checkCells(squares);
+    squares.free();
     const plain = await mesh({ sites: 12 });
     assert.deepStrictEqual([plain.weights, plain.phases, plain.orientations, plain.orbits], [null, null, null, null]);
     plain.free();

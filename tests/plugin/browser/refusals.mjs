@@ -71,7 +71,7 @@ const wrong = [
     ['areas', { input: 'points.csv', areas: 'three.txt', files }],
     ['weights', { input: 'points.csv', weights: 'three.txt', maxIterations: 0, files }],
     // Where the module has no such file, it takes the text for a law.
-    ['areas', { sites: 1, areas: 'none.csv', files }, "'none.csv' is no law of areas; choose equal, lognormal:S or gamma:S"],
+    ['areas', { sites: 1, areas: 'none.csv', files }, "'none.csv' is not a law of areas; choose equal, lognormal:S or gamma:S"],
 ];
 
 for (const [option, options, message] of wrong) {
