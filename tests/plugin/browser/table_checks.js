@@ -53,8 +53,10 @@ async function choose(browser, file) {
     await after(browser, () => browser.send('DOM.setFileInputFiles', {nodeId, files: [file]}));
 }
 
-// Drops files on the picture as a hand does.
+// Drops files on the picture as a hand does. The picture must not change from the sites to the tile meanwhile, because a
+// hand moves on over the new one, which this function does not.
 async function drop(browser, ...files) {
+    await browser.until('page.runs.result === null || page.tileOf?.result === page.runs.result');
     const data = {items: [], files, dragOperationsMask: 1};
     const move = (type) => browser.send('Input.dispatchDragEvent', {type, x: 300, y: 400, data});
     await move('dragEnter');
