@@ -103,6 +103,8 @@ async function checkStop(browser, address) {
     await browser.value(`document.getElementById('stop').click()`);
     await browser.until(idle);
     assert(/^Stopped: 20,000 sites/.test(await browser.value(text('status'))));
+    // The run has ended at its last state, and did not go on to its own end.
+    assert.strictEqual(await browser.value('page.runs.made.maxIterations'), 0);
     await browser.value(`document.getElementById('go-on').click()`);
     await browser.until('page.runs.isRunning');
     await browser.until(idle);
@@ -121,6 +123,38 @@ async function checkWrong(browser, address) {
     }
 }
 
+// The package in the page, whose runs are in a worker: arrays, and the rule by which progress() ends a run.
+async function checkPackage(browser, address) {
+    await open(browser, address, 'sites=20');
+    const found = await browser.value(`(async () => {
+        const {mesh} = typeof need === 'function' ? need('package/index.js') : await import('./package/index.js');
+        const result = await mesh({sites: 30, progress: () => false});
+        const [tile, torus, cells] = [await result.tile({outline: 'box'}), await result.torusMesh(), await result.cells()];
+        const arrays = [tile.points, torus.vertices, cells.area].map((array) => array.constructor.name);
+        const area = cells.area.reduce((sum, own) => sum + own);
+        const fault = await result.tile({mesh: 'squares'}).catch((error) => error.option);
+        result.free();
+        const ends = async (progress) => {
+            const error = await mesh({sites: 500, progress}).then(() => 'none', (fault) => fault);
+            return error.name + ': ' + error.message;
+        };
+        return {arrays, nCells: cells.site.length, isWhole: Math.abs(area - 1) < 1e-12, seam: tile.seam.length % 6, fault,
+            ends: [await ends(() => 1), await ends(() => { throw new RangeError('mine'); }), await ends(async () => {})]};
+    })()`);
+    assert.deepStrictEqual(found, {
+        arrays: ['Float64Array', 'Float64Array', 'Float64Array'],
+        nCells: 30,
+        isWhole: true,
+        seam: 0,
+        fault: 'mesh',
+        ends: [
+            'Cancelled: cancelled by the progress callback; nothing is written', 'RangeError: mine',
+            'TypeError: progress() returned a promise, which is a true value and would cancel the run; ' +
+                'return true to cancel, or nothing'
+        ],
+    });
+}
+
 function complaints(browser, address) {
     return browser.complaints().filter((line) => !line.startsWith(`loads ${address}`));
 }
@@ -129,7 +163,7 @@ async function drive(browser, pcvt, address) {
     await checkRun(browser, address);
     await checkDownload(browser, pcvt);
     assert.deepStrictEqual(complaints(browser, address), []);
-    for (const check of [checkDrag, checkWrong, checkStop, checkOwnTables]) {
+    for (const check of [checkDrag, checkWrong, checkStop, checkPackage, checkOwnTables]) {
         await check(browser, address, pcvt);
         assert.deepStrictEqual(complaints(browser, address), []);
     }
