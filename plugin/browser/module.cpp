@@ -10,8 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "plugin/browser/run.hpp"
+#include "plugin/browser/tables.hpp"
 #include "plugin/pcvt.h"
 
+namespace pcvt::browser {
 namespace {
 
 template <class Struct, class Value>
@@ -41,11 +44,15 @@ constexpr Field<pcvt_options, double> kReals[] = {
 };
 constexpr Field<pcvt_options, const char*> kTexts[] = {
     {"density_source", &pcvt_options::density_source},
-    {"area_law", &pcvt_options::area_law},
     {"phases", &pcvt_options::phases},
     {"inclusions", &pcvt_options::inclusions},
     {"fibres", &pcvt_options::fibres},
     {"holes", &pcvt_options::holes},
+};
+constexpr Field<TableTexts, std::string> kTables[] = {
+    {"input", &TableTexts::input},
+    {"areas", &TableTexts::areas},
+    {"weights", &TableTexts::weights},
 };
 constexpr Field<pcvt_write_options, std::int32_t> kWriteIntegers[] = {
     {"kind", &pcvt_write_options::kind},
@@ -70,19 +77,6 @@ bool set_field(const Field<Struct, Value> (&fields)[n], Struct& values, std::str
     return false;
 }
 
-/// A run in preparation, with its memory, and its result.
-struct Run {
-    Run() { pcvt_options_init(&options, sizeof options, PCVT_ABI_VERSION); }
-
-    pcvt_options options;
-    pcvt_write_options write{};
-    std::vector<std::string> texts;
-    std::vector<double> sites;
-    std::vector<double> areas;
-    std::vector<double> fixed;
-    pcvt_result* result = nullptr;
-};
-
 // Calls the function that JavaScript stored as Module.progress; it throws nothing.
 EM_JS(int, report_progress,
       (int iteration, int evaluations, double energy, double energy_bound, double residual,
@@ -100,6 +94,19 @@ int on_progress(const pcvt_progress* p, void* data) {
     }
     return report_progress(p->iteration, p->evaluations, p->energy, p->energy_bound, p->residual,
                            p->phase, p->fraction, p->phase_text, sites.points, sites.n_sites);
+}
+
+/// Of the table that was read last.
+TableContents contents_of_table;
+
+/// Keeps numbers for the time of a run, and says how many values they are.
+/// @param n_parts  numbers in each value.
+template <class Stored, class Count>
+void keep(const double* numbers, int n, int n_parts, std::vector<Stored>& stored,
+          const Stored*& field, Count& n_values) {
+    stored.assign(numbers, numbers + n);
+    field = stored.data();
+    n_values = static_cast<Count>(n / n_parts);
 }
 
 }  // namespace
@@ -129,6 +136,7 @@ EMSCRIPTEN_KEEPALIVE bool run_number(Run* run, const char* name, double value) {
 }
 
 EMSCRIPTEN_KEEPALIVE bool run_text(Run* run, const char* name, const char* text) {
+    if (set_field(kTables, run->tables, name, text)) return true;
     run->texts.emplace_back(text);
     return set_field(kTexts, run->options, name, run->texts.back().c_str());
 }
@@ -142,28 +150,30 @@ EMSCRIPTEN_KEEPALIVE bool run_numbers(Run* run, const char* name, const double* 
         std::copy(numbers, numbers + n, options.lattice3);
     else if (key == "origin" && n == 2)
         std::copy(numbers, numbers + n, options.origin);
-    else if (key == "sites") {
-        run->sites.assign(numbers, numbers + n);
-        options.sites = run->sites.data();
-        options.n_sites = n / options.dimension;
-    } else if (key == "areas") {
-        run->areas.assign(numbers, numbers + n);
-        options.areas = run->areas.data();
-        options.n_areas = n;
-    } else if (key == "fixed_sites") {
-        run->fixed.assign(numbers, numbers + n);
-        options.fixed_sites = run->fixed.data();
-        options.n_fixed_sites = n / 2;
-    } else {
+    else if (key == "sites")
+        keep(numbers, n, options.dimension, run->sites, options.sites, options.n_sites);
+    else if (key == "areas")
+        keep(numbers, n, 1, run->areas, options.areas, options.n_areas);
+    else if (key == "weights")
+        keep(numbers, n, 1, run->weights, options.weights, options.n_weights);
+    else if (key == "site_phases")
+        keep(numbers, n, 1, run->site_phases, options.site_phases, options.n_site_phases);
+    else if (key == "orientations")
+        keep(numbers, n, 3, run->orientations, options.orientations, options.n_orientations);
+    else if (key == "fixed_sites")
+        keep(numbers, n, 2, run->fixed, options.fixed_sites, options.n_fixed_sites);
+    else
         return false;
-    }
     return true;
 }
 
 EMSCRIPTEN_KEEPALIVE int run_generate(Run* run, bool with_progress, bool with_sites) {
     if (with_progress) run->options.progress = on_progress;
     run->options.progress_data = &with_sites;
-    return pcvt_generate(&run->options, &run->result);
+    if (const pcvt_status status = read_tables(*run); status != PCVT_OK) return status;
+    const pcvt_status status = pcvt_generate(&run->options, &run->result);
+    name_lines(*run, status);
+    return status;
 }
 
 /// Writes energy, bound, residual, hexagons, iterations, evaluations, stop to `numbers`.
@@ -211,6 +221,20 @@ EMSCRIPTEN_KEEPALIVE int run_sites(const Run* run, const double** numbers) {
     return 2 * sites.n_sites;
 }
 
+/// Reads a table of the file system of the module.
+/// @param use  a TableUse.
+/// @returns TableContents::lines, nullptr for an error. The text is valid until the next call.
+EMSCRIPTEN_KEEPALIVE const char* table_lines(const char* name, int use) {
+    const pcvt_status status = look_at_table(name, static_cast<TableUse>(use), contents_of_table);
+    return status == PCVT_OK ? contents_of_table.lines.c_str() : nullptr;
+}
+
+/// Sets the address of the sites of the table that was read last; returns the number of numbers.
+EMSCRIPTEN_KEEPALIVE int table_points(const double** numbers) {
+    *numbers = contents_of_table.points.data();
+    return static_cast<int>(contents_of_table.points.size());
+}
+
 EMSCRIPTEN_KEEPALIVE void run_write_defaults(Run* run) {
     run->write = {};
     run->write.struct_size = sizeof run->write;
@@ -222,3 +246,5 @@ EMSCRIPTEN_KEEPALIVE int run_write(const Run* run, const char* path) {
 }
 
 }  // extern "C"
+
+}  // namespace pcvt::browser

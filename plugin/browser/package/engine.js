@@ -1,13 +1,18 @@
 // Runs of pcvt in this thread, on the WebAssembly module.
+import { cellTable } from './cells.js';
+import { Cancelled, cancels, lastError } from './errors.js';
+import { found, integersAt, numbersAt, withNumbers, withText } from './memory.js';
 import loadModule from './pcvt_wasm.mjs';
-import { OptionError, fieldsOf, runOptions, writeOptions } from './option_table.js';
+import { OptionError, fieldsOf, runFields, writeOptions } from './option_table.js';
+import { cellsView, meshView, sitesView, tileView } from './views.js';
 import { compile } from './wasm.js';
 
 const stops = ['converged', 'iteration limit', 'stalled'];
 const phases = ['start', 'optimise', 'build', 'prove', 'write'];
 const cancelled = 1;
-/** The folder of the module's file system in which files are written. */
+/** The folders of the module's file system in which files are written, and from which tables are read. */
 const folder = '/out';
+const inputs = '/in';
 
 let loading;
 
@@ -17,7 +22,11 @@ export function useModule(wasm) {
         WebAssembly.instantiate(wasm, imports).then((instance) => done(instance, wasm));
         return {};
     };
-    loading = loadModule({ instantiateWasm });
+    loading = loadModule({ instantiateWasm }).then((module) => {
+        module.FS.mkdir(inputs);
+        module.FS.chdir(inputs);
+        return module;
+    });
     return loading;
 }
 
@@ -32,49 +41,17 @@ export async function sizeOfMemory() {
     return (await load()).HEAPU8.length;
 }
 
-/** Words of messages of the C interface that name no option, and the option that they concern. */
-const concerns = [
-    [/^character \d+: |^the density /, 'density'],
-    [/^the period vectors |^the lattice /, 'lattice'],
-    [/law of areas|^areas? |^the areas /, 'areas'],
-    [/^the symmetry /, 'symmetry'],
-    [/^the area fraction |fibre/, 'fibres'],
-];
-
-/** The last error of the module, as the command words it. */
-function lastError(module, options = {}) {
-    const line = module.UTF8ToString(module._pcvt_last_error()).replaceAll(`${folder}/`, '');
-    // A message about options begins with the field of one: wall_cells.
-    const first = line.split(' ', 1)[0].replace(/_([a-z])/g, (_, letter) => letter.toUpperCase());
-    const option = options[first] !== undefined ? first
-        : concerns.find(([words, name]) => words.test(line) && options[name] !== undefined)?.[1];
-    if (option === 'density') return new OptionError(option, `--density '${options.density}': ${line}`);
-    if (option === 'lattice') return new OptionError(option, `--lattice ${[...options.lattice]}: ${line}`);
-    return option ? new OptionError(option, line) : new Error(line);
-}
-
-/** Calls use(address) with a text in the memory of the module. */
-function withText(module, text, use) {
-    const size = module.lengthBytesUTF8(text) + 1;
-    const address = module._malloc(size) >>> 0;
-    if (address === 0) throw new Error('out of memory; take fewer sites');
-    try {
-        module.stringToUTF8(text, address, size);
-        return use(address);
-    } finally {
-        module._free(address);
+/** Calls use() while the module's folder of inputs has the files {name: bytes or text}. */
+function withFiles(module, files, use) {
+    const names = Object.keys(files);
+    for (const name of names) {
+        if (/^$|^\.{1,2}$|^-$|[/\0\n]/.test(name)) throw new OptionError('files', `--files: '${name}' is not the name of a file`);
     }
-}
-
-/** Calls use(address) with numbers in the memory of the module. */
-function withNumbers(module, numbers, use) {
-    const address = module._malloc(8 * Math.max(1, numbers.length)) >>> 0;
-    if (address === 0) throw new Error('out of memory; take fewer sites');
     try {
-        module.HEAPF64.set(numbers, address / 8);
-        return use(address);
+        for (const name of names) module.FS.writeFile(name, files[name]);
+        return use();
     } finally {
-        module._free(address);
+        for (const name of names) if (module.FS.analyzePath(name).exists) module.FS.unlink(name);
     }
 }
 
@@ -87,21 +64,6 @@ function setField(module, run, { field, value }) {
         return withNumbers(module, value, (at) => module._run_numbers(run, name, at, value.length));
     });
     if (!known) throw new Error(`the module has no field ${field}`);
-}
-
-/** A copy of n doubles in the memory of the module, whose addresses above 2 GiB arrive as negative numbers. */
-function numbersAt(module, address, n) {
-    const begin = (address >>> 0) / 8;
-    return module.HEAPF64.slice(begin, begin + n);
-}
-
-/** The address and the number of values that `find` stores and returns. */
-function found(module, find) {
-    return withNumbers(module, [0], (address) => {
-        const n = find(address);
-        if (n < 0) throw lastError(module);
-        return { address: module.HEAPU32[address / 4], n };
-    });
 }
 
 function statisticsOf(module, run) {
@@ -118,33 +80,58 @@ class Result {
     #module;
     #run;
 
-    constructor(module, run) {
+    constructor(module, run, dimension) {
         this.#module = module;
         this.#run = run;
-        Object.assign(this, statisticsOf(module, run));
+        Object.assign(this, { dimension }, statisticsOf(module, run));
         const sites = found(module, (at) => module._run_sites(run, at));
         this.sites = numbersAt(module, sites.address, sites.n);
         const sides = found(module, (at) => module._run_valences(run, at));
-        this.valences = module.HEAP32.slice(sides.address / 4, sides.address / 4 + sides.n);
+        this.valences = integersAt(module, sides.address, sides.n);
         const dropped = found(module, (at) => module._run_dropped(run, at));
-        this.dropped = module.HEAP32.slice(dropped.address / 4, dropped.address / 4 + dropped.n);
+        this.dropped = integersAt(module, dropped.address, dropped.n);
+        if (dimension === 2) Object.assign(this, sitesView(module, run));
+    }
+
+    /** The run, in the dimension that a method needs. */
+    #runOf(method, dimension = this.dimension) {
+        if (this.#run === 0) throw new Error('the result has been freed');
+        if (dimension !== this.dimension) throw new Error(`${method}() is for the plane; in space take tile()`);
+        return this.#run;
     }
 
     /** The bytes of a file; the extension of `name` selects the format. */
     write(name, options = {}) {
-        if (this.#run === 0) throw new Error('the result has been freed');
+        const module = this.#module, run = this.#runOf('write');
         if (name.endsWith('.foam')) throw new Error(`${name}: a folder of files; the command writes it`);
-        const module = this.#module;
         const path = `${folder}/${name.split('/').at(-1)}`;
-        module._run_write_defaults(this.#run);
-        for (const set of fieldsOf(writeOptions, options)) setField(module, this.#run, set);
-        const status = withText(module, path, (text) => module._run_write(this.#run, text));
+        module._run_write_defaults(run);
+        for (const set of fieldsOf(writeOptions, options)) setField(module, run, set);
+        const status = withText(module, path, (text) => module._run_write(run, text));
         if (status !== 0) throw lastError(module);
         const bytes = module.FS.readFile(path);
         for (const file of module.FS.readdir(folder)) {
             if (file !== '.' && file !== '..') module.FS.unlink(`${folder}/${file}`);
         }
         return bytes;
+    }
+
+    /** The tile as arrays; in space the polyhedra. */
+    tile(options = {}) {
+        const run = this.#runOf('tile');
+        const { kind = 0, outline = 0 } = choicesOf(options, this.dimension === 2 ? ['mesh', 'outline'] : []);
+        return this.dimension === 2 ? tileView(this.#module, run, kind, outline) : cellsView(this.#module, run);
+    }
+
+    /** The cells or triangles on the torus as arrays. */
+    torusMesh(options = {}) {
+        const run = this.#runOf('torusMesh', 2);
+        return meshView(this.#module, run, choicesOf(options, ['mesh']).kind ?? 0);
+    }
+
+    /** The measures of the cells. */
+    cells() {
+        return cellTable(meshView(this.#module, this.#runOf('cells', 2), 0), this);
     }
 
     /** Gives the memory of the result back. */
@@ -154,13 +141,19 @@ class Result {
     }
 }
 
+/** The numbers of the words of options, by their fields. */
+function choicesOf(options, names) {
+    const table = Object.fromEntries(names.map((name) => [name, writeOptions[name]]));
+    return Object.fromEntries(fieldsOf(table, options).map(({ field, value }) => [field, value]));
+}
+
 function dimensionOf(fields) {
     return fields.some(({ field }) => field === 'lattice3') ? 3 : 2;
 }
 
 /**
  * Makes the module call progress(state). Returns an object whose `fault` is the exception of
- * progress(), which must not pass through the module and therefore ends the run as `false` does.
+ * progress(), which must not pass through the module and therefore ends the run as `true` does.
  */
 function watch(module, progress) {
     const seen = {};
@@ -172,7 +165,7 @@ function watch(module, progress) {
             };
             if (n > 0) state.sites = numbersAt(module, points, 2 * n);
             try {
-                return progress(state) === false ? 1 : 0;
+                return cancels(progress(state)) ? 1 : 0;
             } catch (fault) {
                 seen.fault = fault;
                 return 1;
@@ -182,21 +175,39 @@ function watch(module, progress) {
 }
 
 /** Runs in this thread; see mesh() in index.d.ts. */
-export async function runHere({ progress, progressSites = false, ...options }) {
-    const fields = fieldsOf(runOptions, options);
-    if (options.sites === undefined) throw new OptionError('sites', 'no sites; give --sites N or --input FILE');
+export async function runHere({ progress, progressSites = false, files = {}, ...options }) {
+    const fields = runFields(options), dimension = dimensionOf(fields);
     const module = await load();
     const run = module._run_new();
     try {
-        setField(module, run, { field: 'dimension', value: dimensionOf(fields) });
+        setField(module, run, { field: 'dimension', value: dimension });
         for (const set of fields) setField(module, run, set);
         const seen = progress ? watch(module, progress) : {};
-        const status = module._run_generate(run, Boolean(progress), Boolean(progressSites));
+        const status = withFiles(module, files, () =>
+            module._run_generate(run, Boolean(progress), Boolean(progressSites)));
         if ('fault' in seen) throw seen.fault;
-        if (status < 0 || status === cancelled) throw lastError(module, options);
-        return new Result(module, run);
+        if (status === cancelled) throw new Cancelled();
+        if (status < 0) throw lastError(module, { ...options, files });
+        return new Result(module, run, dimension);
     } catch (error) {
         module._run_free(run);
         throw error;
     }
+}
+
+const uses = [undefined, 'sites', 'sizes'];
+
+/** Reads a table in this thread; see readTable() in index.d.ts. */
+export async function readTableHere({ table, files, use }) {
+    if (!uses.includes(use)) throw new OptionError('use', `--use ${use}: unknown; take sites or sizes`);
+    const module = await load();
+    return withFiles(module, files, () => {
+        const address = withText(module, table, (text) => module._table_lines(text, uses.indexOf(use)));
+        if (address === 0) throw lastError(module, { input: table, files });
+        const [chosen, rows, name, quantity, columns, unit] = module.UTF8ToString(address).split('\n');
+        const points = found(module, (at) => module._table_points(at));
+        const sites = chosen === 'sites' ? numbersAt(module, points.address, points.n) : null;
+        const names = columns === '' ? [] : columns.split('\t');
+        return { use: chosen, rows: Number(rows), name, quantity, columns: names, unit, sites };
+    });
 }

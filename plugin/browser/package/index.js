@@ -1,6 +1,7 @@
-// mesh(): in node in this thread, in a browser in a worker.
-import { OptionError, fieldsOf, runOptions } from './option_table.js';
-import { compile } from './wasm.js';
+// mesh() and readTable(): in node in this thread, in a browser in a worker.
+import { Cancelled, cancels } from './errors.js';
+import { OptionError, runFields } from './option_table.js';
+import { compile, startWorker } from './wasm.js';
 
 const inNode = typeof process !== 'undefined' && Boolean(process.versions?.node);
 
@@ -24,67 +25,118 @@ async function takeWorker() {
         idle = null;
         return worker;
     }
-    const worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+    const worker = startWorker();
     worker.postMessage({ type: 'load', wasm });
     return worker;
+}
+
+/** Keeps a worker for the next run, or ends it. */
+function giveBack(worker, isSmall) {
+    if (idle || !isSmall) worker.terminate();
+    else idle = worker;
+}
+
+/** Calls of functions in a worker. */
+class Calls {
+    #worker;
+    #waiting = new Map();
+    #last = 0;
+
+    constructor(worker) {
+        this.#worker = worker;
+        worker.onmessage = ({ data }) => {
+            const { resolve, reject } = this.#waiting.get(data.id);
+            this.#waiting.delete(data.id);
+            if (data.error) reject(errorOf(data.error));
+            else resolve(data.value);
+        };
+        worker.onerror = (event) => {
+            this.isBroken = true;
+            this.fail(new Error(event.message || 'the worker could not start'));
+        };
+    }
+
+    make(method, ...given) {
+        const id = ++this.#last;
+        return new Promise((resolve, reject) => {
+            this.#waiting.set(id, { resolve, reject });
+            this.#worker.postMessage({ type: 'call', id, method, given });
+        });
+    }
+
+    /** Ends the calls that wait; returns whether there are any. */
+    fail(error) {
+        const waiting = [...this.#waiting.values()];
+        this.#waiting.clear();
+        for (const { reject } of waiting) reject(error);
+        return waiting.length > 0;
+    }
 }
 
 /** The result of a worker, which keeps the tile. */
 class RemoteResult {
     #worker;
     #bytes;
-    #waiting = new Map();
-    #last = 0;
+    #calls;
 
     constructor(worker, values, bytes) {
         this.#worker = worker;
         this.#bytes = bytes;
+        this.#calls = new Calls(worker);
         Object.assign(this, values);
-        worker.onmessage = ({ data }) => {
-            const { resolve, reject } = this.#waiting.get(data.id);
-            this.#waiting.delete(data.id);
-            if (data.error) reject(errorOf(data.error));
-            else resolve(data.bytes);
-        };
+    }
+
+    #call(...given) {
+        return this.#worker ? this.#calls.make(...given) : Promise.reject(new Error('the result has been freed'));
     }
 
     write(name, options = {}) {
-        if (!this.#worker) return Promise.reject(new Error('the result has been freed'));
-        const id = ++this.#last;
-        return new Promise((resolve, reject) => {
-            this.#waiting.set(id, { resolve, reject });
-            this.#worker.postMessage({ type: 'write', id, name, options });
-        });
+        return this.#call('write', name, options);
+    }
+
+    tile(options = {}) {
+        return this.#call('tile', options);
+    }
+
+    torusMesh(options = {}) {
+        return this.#call('torusMesh', options);
+    }
+
+    cells() {
+        return this.#call('cells');
     }
 
     free() {
         const worker = this.#worker;
         if (!worker) return;
         this.#worker = null;
-        for (const { reject } of this.#waiting.values()) reject(new Error('the result has been freed'));
-        if (idle || this.#waiting.size > 0 || this.#bytes > mostBytesToKeep) {
-            worker.terminate();
-        } else {
-            worker.postMessage({ type: 'free' });
-            idle = worker;
-        }
+        const isBusy = this.#calls.fail(new Error('the result has been freed'));
+        if (!isBusy) worker.postMessage({ type: 'free' });
+        giveBack(worker, !isBusy && !this.#calls.isBroken && this.#bytes <= mostBytesToKeep);
     }
 }
 
 async function runInWorker({ progress, ...options }) {
-    fieldsOf(runOptions, options, ['progressSites']);
+    runFields(options);
     const worker = await takeWorker();
     return new Promise((resolve, reject) => {
         const fail = (error) => {
             worker.terminate();
             reject(error);
         };
+        const show = (state) => {
+            try {
+                // The worker is busy until its run ends, so ending the worker ends the run.
+                if (cancels(progress(state))) fail(new Cancelled());
+            } catch (error) {
+                fail(error);
+            }
+        };
         worker.onerror = (event) => fail(new Error(event.message || 'the worker could not start'));
         worker.onmessage = ({ data }) => {
             if (data.type === 'done') resolve(new RemoteResult(worker, data.values, data.bytes));
             else if (data.type === 'failed') fail(errorOf(data.error));
-            // The worker is busy until its run ends, so ending the worker ends the run.
-            else if (progress(data.state) === false) fail(new Error('cancelled; nothing is written'));
+            else show(data.state);
         };
         worker.postMessage({ type: 'mesh', options, withProgress: Boolean(progress) });
     });
@@ -96,4 +148,18 @@ export async function mesh(options) {
     return runHere(options);
 }
 
-export { OptionError };
+export async function readTable(given) {
+    if (inNode) {
+        const { readTableHere } = await import('./engine.js');
+        return readTableHere(given);
+    }
+    const worker = await takeWorker();
+    const calls = new Calls(worker);
+    try {
+        return await calls.make('readTable', given);
+    } finally {
+        giveBack(worker, !calls.isBroken);
+    }
+}
+
+export { Cancelled, OptionError };

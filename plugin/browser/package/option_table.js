@@ -92,8 +92,28 @@ function lattice(name, value) {
     return list.value.length === 9 ? { ...list, field: 'lattice3' } : list;
 }
 
-function areas(name, value) {
-    return typeof value === 'string' ? { field: 'area_law', value } : numbers('areas')(name, value);
+/** Numbers, or a text that the module reads: the name of a table, of areas also a law. */
+const numbersOrText = (field) => (name, value) =>
+    (typeof value === 'string' ? text : numbers)(field)(name, value);
+
+/** "NAME:FRACTION,...", {name: fraction}, or a list with the name of each site's phase. */
+function phases(name, value) {
+    if (typeof value === 'string') return { field: 'phases', value };
+    if (!Array.isArray(value)) {
+        const parts = Object.entries(value).map(([phase, fraction]) => `${phase}:${fraction}`);
+        return { field: 'phases', value: parts.join(',') };
+    }
+    const names = [...new Set(value.map(String))];
+    const indices = new Map(names.map((phase, k) => [phase, k]));
+    return [{ field: 'phases', value: names.join(',') },
+        { field: 'site_phases', value: Float64Array.from(value, (phase) => indices.get(String(phase))) }];
+}
+
+function orientations(name, value) {
+    if (value === 'random') return { field: 'random_orientations', value: 1 };
+    const list = numbers('orientations')(name, value);
+    if (list.value.length % 3 !== 0) refuse(name, '', 'not three angles for each site; give phi1, Phi, phi2, ...');
+    return list;
 }
 
 function aspect(name, value) {
@@ -128,7 +148,9 @@ export const runOptions = {
     sites,
     seed,
     origin,
-    areas,
+    input: text('input'),
+    areas: numbersOrText('areas'),
+    weights: numbersOrText('weights'),
     aspect,
     fibres,
     hole,
@@ -140,7 +162,8 @@ export const runOptions = {
     maxIterations: whole('max_iterations', 0, 2147483647),
     order: whole('grain_order', 1, 2),
     perEdge: whole('grain_per_edge', 1, 2147483647),
-    phases: text('phases'),
+    orientations,
+    phases,
     shortEdges: positive('short_edges'),
     size: positive('grain_size'),
     solver: choice('solver', words.solver),
@@ -171,4 +194,14 @@ export function fieldsOf(table, options, others = []) {
     return Object.keys(table)
         .filter((name) => options[name] !== undefined && options[name] !== null)
         .flatMap((name) => [table[name](name, options[name])].flat().map((set) => ({ ...set, name })));
+}
+
+/** The fields of the options of mesh(); the others are not for the C interface. */
+export function runFields(options) {
+    const { sites, input } = options, isMissing = sites === undefined;
+    if (isMissing && input === undefined) throw new OptionError('sites', 'no sites; give --sites N or --input FILE');
+    if (!isMissing && input !== undefined) {
+        throw new OptionError('sites', '--sites and --input exclude each other; remove one');
+    }
+    return fieldsOf(runOptions, options, ['progress', 'progressSites', 'files']);
 }

@@ -1,6 +1,7 @@
-// Runs in a module worker, one after another. The page sends {type: 'load', wasm} once, then for each run
-// {type: 'mesh', options, withProgress}, {type: 'write', id, name, options} for each file, and {type: 'free'}.
-import { runHere, sizeOfMemory, useModule } from './engine.js';
+// Runs in a worker, one after another. The page sends {type: 'load', wasm} once, then for each run
+// {type: 'mesh', options, withProgress}, {type: 'call', id, method, given} for each use of its result, and {type: 'free'};
+// {type: 'call', id, method: 'readTable', given} reads a table.
+import { readTableHere, runHere, sizeOfMemory, useModule } from './engine.js';
 
 let result;
 
@@ -19,19 +20,19 @@ async function start({ options, withProgress }) {
     }
 }
 
-function write({ id, name, options }) {
+async function call({ id, method, given }) {
     try {
-        const bytes = result.write(name, options);
-        postMessage({ type: 'written', id, bytes }, [bytes.buffer]);
+        const value = method === 'readTable' ? await readTableHere(...given) : result[method](...given);
+        postMessage({ id, value });
     } catch (error) {
-        postMessage({ type: 'written', id, error: failure(error) });
+        postMessage({ id, error: failure(error) });
     }
 }
 
 const handlers = {
     load: ({ wasm }) => useModule(wasm),
     mesh: start,
-    write,
+    call,
     free: () => result.free(),
 };
 

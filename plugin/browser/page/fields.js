@@ -197,17 +197,18 @@ function quoted(text) {
 export const SITES_FILE = 'sites.txt';
 
 export function hasGivenSites(options) {
-    return typeof options.sites !== 'number';
+    return options.sites !== undefined && typeof options.sites !== 'number';
 }
 
 /**
  * Returns the command for options of mesh(), the options of the tile, and a file. Given sites are
- * read from SITES_FILE.
+ * read from SITES_FILE, unless they are those of the user's table.
  */
 export function commandOf(options, tile, extension) {
     const words = ['pcvt mesh'], isGiven = hasGivenSites(options);
+    if (options.input) words.push(`--input ${quoted(options.input)}`);
     const isDefault = {
-        seed: (seed) => seed === 0 || (isGiven && !options.areas),
+        seed: (seed) => seed === 0 || ((isGiven || options.input) && !options.areas),
         lattice: (lattice) => `${lattice}` === '1,0,0,1',
     };
     for (const {id} of [...FIELDS].reverse()) {

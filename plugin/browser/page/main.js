@@ -1,8 +1,11 @@
 import * as fields from './fields.js';
-import {mesh} from './package/index.js';
+import {showFigures} from './figures.js';
+import {mesh, readTable} from './package/index.js';
 import {Plot} from './plot.js';
 import {Runs} from './run.js';
+import {copy, save} from './save.js';
 import {Stage} from './stage.js';
+import {Table} from './table.js';
 
 const FORMATS = [
     'obj', 'glb', 'gltf', 'ply', 'svg', 'png', 'vtu', 'msh', 'inp', 'nc', 'vti', 'dxf', 'html', 'om',
@@ -38,9 +41,14 @@ class Page {
             ended: (result, stopped) => this.ended(result, stopped),
             failed: (error) => this.failed(error),
         });
+        this.table = new Table(readTable, {
+            changed: (rows) => this.tableChanged(rows),
+            failed: () => this.showCommand(),
+        });
         this.chosen = 'tile';
         /** The tile in the frame: its result and its choices; and the one that is being loaded. */
         this.tileOf = this.loading = null;
+        this.tileNumber = 0;
         /** The colours chosen in the frame; '' as long as nobody has chosen. */
         this.colour = '';
         /** The texts of the form at the last run. */
@@ -85,22 +93,34 @@ class Page {
         });
     }
 
-    /** Reads the form and starts a run; a fault of the form appears at its field and changes nothing. */
+    /** Starts a run of the form; a fault of the form appears at its field and changes nothing. */
     run() {
+        if (this.table.isFaulty) {
+            element('table').focus();
+            return;
+        }
         fields.clearFaults();
+        this.table.fault('');
         const texts = fields.formTexts();
         let options;
         try {
-            options = fields.readOptions(texts);
+            options = this.table.apply(fields.readOptions(texts));
         } catch (error) {
             fields.showError(error);
             if (this.texts === null) this.say('No result.');
             return;
         }
         this.texts = texts;
+        this.table.showNote(options.lattice);
         this.keepHash();
         this.runs.start(options);
         this.begin();
+    }
+
+    /** Runs with another table, or without one. */
+    tableChanged(rows) {
+        if (rows > 0) element('sites').value = rows;
+        this.run();
     }
 
     goOn() {
@@ -136,7 +156,7 @@ class Page {
             if (!this.runs.isRunning || !this.last) return;
             if (this.last.sites) this.showSites(this.last.sites);
             this.plot.draw();
-            this.showFigures(this.last);
+            showFigures(this.last);
         });
     }
 
@@ -146,7 +166,7 @@ class Page {
         this.plot.draw();
         this.showCommand();
         const energyOverBound = result.energy / result.energyBound;
-        this.showFigures({
+        showFigures({
             ...this.last,
             ...result,
             energy: result.energy,
@@ -167,7 +187,12 @@ class Page {
         element('figures').replaceChildren();
         this.showSites(new Float64Array(0));
         this.showCommand();
-        fields.showError(error);
+        if (!this.table.concerns(error)) {
+            fields.showError(error);
+            return;
+        }
+        this.table.fault(error.message);
+        element('table').focus();
     }
 
     setButtons(isRunning) {
@@ -181,21 +206,6 @@ class Page {
         if (element('status').textContent !== text) element('status').textContent = text;
     }
 
-    showFigures({iteration, energy, energyOverBound, residual, hexagons}) {
-        const rows = [['Iterations', iteration], ['Energy', shortNumber(energy)]];
-        if (Number.isFinite(energyOverBound)) {
-            rows.push(
-                ['Over the hexagonal bound', `${(100 * (energyOverBound - 1)).toFixed(3)} %`]);
-        }
-        rows.push(['Residual', shortNumber(residual)]);
-        if (hexagons !== undefined) rows.push(['Hexagons', hexagons.toLocaleString('en')]);
-        element('figures').replaceChildren(...rows.flatMap(([name, value]) => {
-            const [term, text] = [document.createElement('dt'), document.createElement('dd')];
-            [term.textContent, text.textContent] = [name, value ?? ''];
-            return [term, text];
-        }));
-    }
-
     /** The command that gives the files of the result, or of the run that has not ended. */
     showCommand() {
         const {isRunning, options, made} = this.runs, shown = isRunning ? options : made;
@@ -206,6 +216,7 @@ class Page {
         const isChanged = this.texts && !isSame(this.texts, fields.formTexts());
         element('command-note').textContent =
             (isGiven ? `${fields.SITES_FILE} holds the sites at which the run was stopped. ` : '') +
+            (shown?.files ? `${Object.keys(shown.files)} is your table; the link does not hold it. ` : '') +
             (isChanged ? 'The form has changed since this run.' : '');
         element('download-sites').hidden = !isGiven;
         element('copy-command').disabled = !shown;
@@ -243,10 +254,10 @@ class Page {
             if (this.shown === 'tile') this.show('sites');
             return;
         }
-        URL.revokeObjectURL(this.tileAddress);
-        this.tileAddress = URL.createObjectURL(new Blob([bytes], {type: 'text/html'}));
         this.loading = {result, ...tile};
-        element('tile').src = this.tileAddress + (this.colour ? `#colour=${this.colour}` : '');
+        // A page without a server may look into a frame with a text, but not into one with an address.
+        const number = `<meta name="number" content="${++this.tileNumber}">`;
+        element('tile').srcdoc = new TextDecoder().decode(bytes) + number;
     }
 
     /** The tile of an older run stays hidden. */
@@ -262,10 +273,14 @@ class Page {
     }
 
     tileLoaded() {
-        const {contentWindow, contentDocument} = element('tile');
-        if (!contentWindow.viewer || !contentWindow.location.href.startsWith(this.tileAddress)) return;
+        const {contentDocument, contentWindow} = element('tile');
+        const number = contentDocument.querySelector('meta[name="number"]')?.content;
+        if (number !== `${this.tileNumber}`) return;
         this.tileOf = this.loading;
+        const choice = `label:not([hidden]) > [name="mode"][value="${this.colour}"]`;
+        contentDocument.querySelector(choice)?.click();
         this.placePictures();
+        this.table.takeDrops(contentWindow);
         contentDocument.addEventListener('change', ({target}) => {
             if (target.name !== 'mode') return;
             this.colour = target.value;
@@ -315,33 +330,6 @@ class Page {
 /** Whether two records have the same entries. */
 function isSame(a, b) {
     return a !== null && Object.keys(b).every((key) => a[key] === b[key]);
-}
-
-function save(name, content) {
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([content]));
-    link.download = name;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-}
-
-function shortNumber(value) {
-    const text = Number(value.toPrecision(6));
-    return Math.abs(text) < 1e-3 ? value.toExponential(3).replace('-', '−') : String(text);
-}
-
-/** Copies a text and says so on the button for a while. */
-async function copy(button, text) {
-    const label = button.textContent;
-    try {
-        await navigator.clipboard.writeText(text);
-        button.textContent = 'Copied';
-    } catch {
-        button.textContent = 'Not allowed here';
-    }
-    setTimeout(() => {
-        button.textContent = label;
-    }, 1500);
 }
 
 /** A global, for the console and for tests. */

@@ -23,10 +23,11 @@ export class Runs {
         this.isRunning = true;
         this.isStopping = false;
         const progress = (now) => {
-            if (number !== this.number || this.isStopping) return false;
+            // A true value ends the run.
+            if (number !== this.number || this.isStopping) return true;
             if (now.sites) this.sites = now.sites;
             this.seen.progress(now);
-            return true;
+            return false;
         };
         await this.make(number, options, {progress, progressSites: true});
         // The state at which a run was stopped becomes the result.
@@ -79,6 +80,7 @@ export class Runs {
 }
 
 function withSites(options, sites) {
-    const {symmetry, start, ...others} = options;
-    return {...others, sites};
+    const {symmetry, start, input, files, ...others} = options;
+    // The file of given sites is the only one, if there is one.
+    return {...others, ...(files && !input ? {files} : {}), sites};
 }

@@ -1,12 +1,35 @@
 // Jobs of mesh() and the arguments of the command that describe the same.
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 
-/** The command's arguments for options of mesh() or write(). */
-export function argumentsOf(options) {
+/** The command's arguments for options of mesh() or write(); the tables lie in its folder. */
+export function argumentsOf({ files, ...options }) {
     return Object.entries(options).flatMap(([name, value]) => {
         const flag = `--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
         return [flag, [value].flat().join(',')];
     });
 }
+
+/** Writes the tables of options into a folder. */
+export function writeTables({ files = {} }, folder) {
+    for (const [name, content] of Object.entries(files)) writeFileSync(join(folder, name), content);
+}
+
+/** Sites with weights, phases and orientations, as the command writes them to .csv. */
+const cells = `# cells
+site,x,y,weight,area,phase,phi1,Phi,phi2
+0,0.1,0.2,0.01,,ferrite,10,20,30
+1,0.6,0.3,0,,austenite,40,50,60
+2,0.3,0.7,0.02,,ferrite,1,2,3
+3,0.9,0.8,0.015,,austenite,200,100,5
+`;
+const files = {
+    'points.csv': '\ufeffid;X (mm);Y (mm)\r\n1;0,25;0,25\r\n2;0,75;0,2\r\n3;0,5;0,7\r\n4;-0,1;0,6\r\n',
+    'cells.csv': cells,
+    'grains.tsv': 'Grain\tECD [um]\n1\t10,5\n2\t12\n3\t8,25\n4\t9\n',
+    'radii.txt': '0.1\n0.12\n0.05\n0.1\n',
+    'space.csv': 'x y z\n0.1 0.2 0.3\n0.7 0.6 0.5\n0.4 0.1 0.9\n',
+};
 
 const ridge = '1 + 30 / (1 + 100 * (v - 0.5)^2)';
 const waves = '2 + sin(6.28 * u) * exp(-v) + log10(1 + u) + v^4';
@@ -41,6 +64,12 @@ export const jobs = [
     [{ sites: 2000, seed: 9, solver: 'newton' }],
     [{ sites: 5000, seed: 17, tolerance: 1e-4 }],
     [{ sites: 20000, seed: 18, tolerance: 1e-3 }],
+    [{ input: 'points.csv', files, lattice: oblique }],
+    [{ input: 'points.csv:Y,X', files, areas: 'grains.tsv' }],
+    [{ sites: 4, seed: 3, areas: 'diameter:grains.tsv:ECD', files, maxIterations: 4 }],
+    [{ input: 'cells.csv', files, maxIterations: 0 }],
+    [{ input: 'cells.csv:x,y', files, weights: 'radius:radii.txt', maxIterations: 0 }],
+    [{ input: 'space.csv', files, lattice: oblique3 }],
     [{ sites: 1, lattice: oblique3 }],
     [{ sites: 54, period: [1, 1, 1], start: 'lattice' }],
     [{ sites: 150, seed: 19, lattice: oblique3, tolerance: 1e-6 }],

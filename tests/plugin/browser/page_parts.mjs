@@ -14,6 +14,7 @@ const load = (name) => import(addressOf(name));
 const { Plot } = await load('plot.js');
 const { Runs } = await load('run.js');
 const { commandOf, hashOf, readOptions } = await load('fields.js');
+const { contentsInWords, numberOutside } = await load('table.js');
 
 /** Plots levels with these numbers of iterations, the last of which is the run; returns the picture. */
 function plotted(levels) {
@@ -60,10 +61,10 @@ function watchedRuns() {
         failed: (error) => seen.push(`failed ${error.message}`),
     });
     const settle = () => new Promise((resolve) => { setTimeout(resolve); });
-    /** Lets a run report sites, and cancels it if progress() returns false. */
+    /** Lets a run report sites, and cancels it if progress() returns a true value. */
     const report = async (k, sites) => {
-        const wanted = calls[k].options.progress({ sites: Float64Array.from(sites) });
-        if (wanted === false) calls[k].fail(new Error('cancelled'));
+        const ends = calls[k].options.progress({ sites: Float64Array.from(sites) });
+        if (ends) calls[k].fail(new Error('cancelled'));
         await settle();
     };
     return { seen, calls, runs, settle, report };
@@ -125,6 +126,13 @@ function checkCommands() {
         [{ ...given, maxIterations: 0, areas: 'equal' }, tile, 'ply',
             'pcvt mesh --input sites.txt --seed 3 --max-iterations 0 --areas equal -o tile.ply'],
     ];
+    const files = { 'my points.csv': '0.5 0.5' }, lattice = [1, 0, 0, 1];
+    rows.push(
+        [{ lattice, input: 'my points.csv', files, seed: 3 }, tile, 'ply', "pcvt mesh --input 'my points.csv' -o tile.ply"],
+        [{ lattice, input: 'my points.csv', files, seed: 3, areas: 'equal' }, tile, 'ply',
+            "pcvt mesh --input 'my points.csv' --seed 3 --areas equal -o tile.ply"],
+        [{ lattice, sites: 3, areas: 'g.csv:D', files, seed: 3 }, tile, 'ply',
+            'pcvt mesh --sites 3 --seed 3 --areas g.csv:D -o tile.ply']);
     for (const [options, choices, extension, command] of rows) {
         assert.strictEqual(commandOf(options, choices, extension), command);
     }
@@ -135,8 +143,40 @@ function checkCommands() {
     assert.strictEqual(hashOf(texts), 'tolerance=1e-4&sites=30&mesh=grains');
 }
 
+/** A run that goes on begins with its sites in place of the table of sites, and keeps a table of sizes. */
+async function checkTablesOfRuns() {
+    for (const [options, kept] of [
+        [{ input: 'p.csv', files: { 'p.csv': '' } }, {}],
+        [{ sites: 2, areas: 'a.csv', files: { 'a.csv': '' } }, { areas: 'a.csv', files: { 'a.csv': '' } }],
+    ]) {
+        const { calls, runs, settle } = watchedRuns();
+        runs.start(options);
+        calls[0].end([1, 2, 3, 4]);
+        await settle();
+        runs.goOn();
+        const { progress, progressSites, ...others } = calls[1].options;
+        assert.deepStrictEqual(others, { ...kept, sites: Float64Array.of(1, 2, 3, 4) });
+    }
+}
+
+/** The page says what a table holds, and how many sites lie outside of the period. */
+function checkWordsOfTables() {
+    const oblique = [2, 0, 1, 2], sites = Float64Array.of(0, 0, 3, 2, 1.5, 1, 0.2, 1, -0.1, 0);
+    assert.strictEqual(numberOutside(sites, oblique), 2);
+    const table = { use: 'sites', rows: 5, quantity: 'sites', columns: ['x', 'y'], unit: 'um', sites };
+    assert.strictEqual(contentsInWords(table, oblique), '5 sites from columns x, y. Lengths are those of the period vectors, ' +
+        'which are in um as well. 2 of them lie outside of the period and count modulo the period vectors.');
+    assert.match(contentsInWords(table, [1e-3, 0, 0, 1e-3]), / 4 of them lie .* vectors: the period vectors may be wrong\.$/);
+    assert.strictEqual(contentsInWords({ use: 'sizes', rows: 1200, quantity: 'diameters', columns: ['ECD'], unit: 'um' }, oblique),
+        '1,200 diameters from column ECD in um, one for each site. The areas of the cells are scaled to the area of the period.');
+    assert.match(contentsInWords({ use: 'sizes', rows: 1, quantity: 'areas', columns: [], unit: '' }, oblique),
+        /^1 area, without a header, one/);
+}
+
 checkPlot();
+await checkTablesOfRuns();
+checkWordsOfTables();
 await checkStopAndGoOn();
 await checkReplacement();
 checkCommands();
-console.log('the plot stays in its frame; runs stop, go on and replace each other; commands name what gives the result');
+console.log('tables are named in words; the plot stays in its frame; runs stop, go on and replace each other; commands name what gives the result');

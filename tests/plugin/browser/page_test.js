@@ -1,14 +1,17 @@
 // page_test.js CHROMIUM PCVT PAGE: drives the page in the folder PAGE in headless Chromium.
-// It runs, stops and goes on, drags a period vector, compares a downloaded OBJ with the file of the
-// command, and gives fifteen wrong inputs, each of which must show a message at its field. Exits
-// with 1 if a value is wrong or if the console has an entry.
+// It runs, stops and goes on, drags a period vector, compares downloaded OBJs with the files of the
+// command, reads tables, and gives wrong inputs, each of which must show a message at its field. Exits
+// with 1 if a value is wrong or if the console has an entry. The same checks drive PAGE/pcvt.html as a
+// double click opens it, without a server and without a network.
 const assert = require('assert');
 const fs = require('fs');
 const os = require('os');
 const path = require('path');
 const {execFileSync} = require('child_process');
+const {pathToFileURL} = require('url');
 const {withBrowser} = require('../../consumers/browser.js');
 const {withServer} = require('./static_server.js');
+const {checkOwnTables} = require('./table_checks.js');
 
 // Field, wrong text, and other fields that the fault needs.
 const kWrong = [
@@ -100,6 +103,8 @@ async function checkStop(browser, address) {
     await browser.value(`document.getElementById('stop').click()`);
     await browser.until(idle);
     assert(/^Stopped: 20,000 sites/.test(await browser.value(text('status'))));
+    // The run has ended at its last state, and did not go on to its own end.
+    assert.strictEqual(await browser.value('page.runs.made.maxIterations'), 0);
     await browser.value(`document.getElementById('go-on').click()`);
     await browser.until('page.runs.isRunning');
     await browser.until(idle);
@@ -118,6 +123,38 @@ async function checkWrong(browser, address) {
     }
 }
 
+// The package in the page, whose runs are in a worker: arrays, and the rule by which progress() ends a run.
+async function checkPackage(browser, address) {
+    await open(browser, address, 'sites=20');
+    const found = await browser.value(`(async () => {
+        const {mesh} = typeof need === 'function' ? need('package/index.js') : await import('./package/index.js');
+        const result = await mesh({sites: 30, progress: () => false});
+        const [tile, torus, cells] = [await result.tile({outline: 'box'}), await result.torusMesh(), await result.cells()];
+        const arrays = [tile.points, torus.vertices, cells.area].map((array) => array.constructor.name);
+        const area = cells.area.reduce((sum, own) => sum + own);
+        const fault = await result.tile({mesh: 'squares'}).catch((error) => error.option);
+        result.free();
+        const ends = async (progress) => {
+            const error = await mesh({sites: 500, progress}).then(() => 'none', (fault) => fault);
+            return error.name + ': ' + error.message;
+        };
+        return {arrays, nCells: cells.site.length, isWhole: Math.abs(area - 1) < 1e-12, seam: tile.seam.length % 6, fault,
+            ends: [await ends(() => 1), await ends(() => { throw new RangeError('mine'); }), await ends(async () => {})]};
+    })()`);
+    assert.deepStrictEqual(found, {
+        arrays: ['Float64Array', 'Float64Array', 'Float64Array'],
+        nCells: 30,
+        isWhole: true,
+        seam: 0,
+        fault: 'mesh',
+        ends: [
+            'Cancelled: cancelled by the progress callback; nothing is written', 'RangeError: mine',
+            'TypeError: progress() returned a promise, which is a true value and would cancel the run; ' +
+                'return true to cancel, or nothing'
+        ],
+    });
+}
+
 function complaints(browser, address) {
     return browser.complaints().filter((line) => !line.startsWith(`loads ${address}`));
 }
@@ -126,16 +163,31 @@ async function drive(browser, pcvt, address) {
     await checkRun(browser, address);
     await checkDownload(browser, pcvt);
     assert.deepStrictEqual(complaints(browser, address), []);
-    for (const check of [checkDrag, checkWrong, checkStop]) {
-        await check(browser, address);
+    for (const check of [checkDrag, checkWrong, checkStop, checkPackage, checkOwnTables]) {
+        await check(browser, address, pcvt);
         assert.deepStrictEqual(complaints(browser, address), []);
     }
-    console.log('the page runs, drags, downloads, refuses, stops and goes on');
+    console.log(`${address}: the page runs, drags, downloads, reads tables, refuses, stops and goes on`);
 }
 
-function main(chromium, pcvt, page) {
-    return withServer(
+// The page of one file has its scripts and its module inside.
+async function driveFile(browser, pcvt, page) {
+    await browser.send('Network.emulateNetworkConditions',
+        {offline: true, latency: 0, downloadThroughput: -1, uploadThroughput: -1});
+    const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'pcvt one file '));
+    try {
+        const file = path.join(folder, 'pcvt.html');
+        fs.copyFileSync(path.join(page, 'pcvt.html'), file);
+        await drive(browser, pcvt, pathToFileURL(file).href);
+    } finally {
+        fs.rmSync(folder, {recursive: true});
+    }
+}
+
+async function main(chromium, pcvt, page) {
+    await withServer(
         page, (address) => withBrowser(chromium, (browser) => drive(browser, pcvt, address)));
+    await withBrowser(chromium, (browser) => driveFile(browser, pcvt, page));
 }
 
 main(...process.argv.slice(2)).catch((fault) => {

@@ -5,16 +5,17 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { argumentsOf, jobs } from './jobs.mjs';
+import { argumentsOf, jobs, writeTables } from './jobs.mjs';
 
 const [folder, pcvt] = process.argv.slice(2);
 const { mesh } = await import(pathToFileURL(resolve(folder, 'index.js')));
 
 const extensions = ['obj', 'glb', 'ply', 'svg', 'vtu'];
 
-function nativeFiles(args) {
+function nativeFiles(options, args) {
     const out = mkdtempSync(join(tmpdir(), 'pcvt_same_bytes_'));
     try {
+        writeTables(options, out);
         const outputs = extensions.flatMap((extension) => ['-o', `tile.${extension}`]);
         const begin = performance.now();
         execFileSync(resolve(pcvt), ['mesh', ...args, ...outputs, '--threads', '1', '--quiet'], { cwd: out });
@@ -27,7 +28,7 @@ function nativeFiles(args) {
 
 for (const [options, form = {}] of jobs) {
     const args = argumentsOf({ ...options, ...form });
-    const native = nativeFiles(args);
+    const native = nativeFiles(options, args);
     const begin = performance.now();
     const result = await mesh(options);
     const files = extensions.map((extension) => result.write(`tile.${extension}`, form));
