@@ -146,6 +146,7 @@ constexpr std::array<Format, 17> kFormats{{
                           .decode_tetrahedra = decode_vtu_tetrahedra,
                           .compare_tetrahedra = compare_vtu_tetrahedra,
                           .states_materials = true,
+                          .states_weights = true,
                           .states_short_edges = true}},
     {.extension = ".svg",
      .description = "a picture, or with --cut lines for cutters",
@@ -284,6 +285,11 @@ std::string tetrahedra_extensions() {
 
 std::string short_edges_extensions() {
     return listed_extensions([](const SpaceFormat& format) { return format.states_short_edges; });
+}
+
+std::string weight_extensions() {
+    return listed_extensions(
+        [](const SpaceFormat& format) { return format.takes_weights(plane::MeshKind::kVoronoi); });
 }
 
 std::string surface_extensions() {

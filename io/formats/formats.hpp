@@ -196,6 +196,8 @@ std::string space_extensions();
 std::string tetrahedra_extensions();
 /// Returns those that state PolyhedralMesh::short_edges, ".vtu or .foam".
 std::string short_edges_extensions();
+/// Returns those that take power cells, ".vtu, .csv or .txt".
+std::string weight_extensions();
 /// Returns those whose form FileOptions::surfaces chooses, ".obj, .ply or .glb".
 std::string surface_extensions();
 

@@ -137,6 +137,10 @@ void add_files(const std::string& path, const SpaceRequest& run, std::vector<Out
         throw InvalidInput(path + ": such files cannot say that short edges were removed; take " +
                            short_edges_extensions() + " with the cells");
     }
+    if (run.has_weights && !format.space->takes_weights(run.mesh)) {
+        throw InvalidInput(path + ": such files cannot state the weights of power cells; take " +
+                           weight_extensions());
+    }
     if (format.is_single_precision) naming_path(path, [&] { require_precision(run); });
     files.push_back({.paths = format.space->paths(path),
                      .format = &format,

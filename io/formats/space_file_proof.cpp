@@ -99,8 +99,9 @@ bool holds_same_cells(const std::vector<EncodedFile>& files, const SpaceTile& ti
     const Format* const format = find_format(files.front().path);
     const bool states_materials = format != nullptr && format->space->states_materials;
     const CellMaterials stated = states_materials ? tile.materials : CellMaterials();
-    return found.materials == stated && found.mesh.points == tile.mesh.points &&
-           found.sites == tile.sites && found.mesh.point_orbit == tile.mesh.point_orbit &&
+    return found.materials == stated && found.weights == tile.weights &&
+           found.mesh.points == tile.mesh.points && found.sites == tile.sites &&
+           found.mesh.point_orbit == tile.mesh.point_orbit &&
            found.mesh.point_offset == tile.mesh.point_offset;
 }
 
@@ -122,7 +123,7 @@ SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double t
     SpaceFileProof result{.tile = decode(files, tolerance), .proof = {}, .sites = {}};
     const SpaceTile& tile = result.tile;
     result.proof = prove_polyhedra(tile.mesh, tolerance);
-    if (tile.sites.cols() > 0) result.sites = prove_cell_sites(tile.mesh, tile.sites);
+    if (tile.sites.cols() > 0) result.sites = prove_cell_sites(tile.mesh, tile.sites, tile.weights);
     if (is_foam_of_polyhedra(files)) {
         compare_files(files, encode_foam(foam_case(tile), foam_folder(files)), foam_fields);
     }

@@ -51,6 +51,8 @@ struct SpaceFormat {
                                const space::TetrahedralMesh& mesh) = nullptr;
     /// Whether its cells state SpaceTile::materials.
     bool states_materials = false;
+    /// Whether its cells state SpaceTile::weights, without which power cells are not proved.
+    bool states_weights = false;
     /// Whether its cells state PolyhedralMesh::short_edges, without which no tile is proved that
     /// lost edges.
     bool states_short_edges = false;
@@ -66,6 +68,12 @@ struct SpaceFormat {
     bool takes_short_edges(plane::MeshKind mesh) const {
         if (shows_tetrahedra(mesh)) return false;
         return states_short_edges || encode == nullptr || is_picture();
+    }
+    /// Whether it takes power cells: a picture, a table or a list of sites, or cells that state
+    /// their weights.
+    bool takes_weights(plane::MeshKind mesh) const {
+        if (shows_tetrahedra(mesh)) return false;
+        return states_weights || encode == nullptr || is_picture();
     }
     bool shows_boundary(SurfaceForm chosen) const {
         return surfaces == FormatSurfaces::kBoundary ||

@@ -8,9 +8,11 @@ namespace pcvt {
 /// A tile of polyhedra and its sites, as files hold them.
 struct SpaceTile {
     space::PolyhedralMesh mesh;
-    /// The image of each site that lies in its cell: 3 x n, length units; no column if a file
-    /// states none.
+    /// The image of each site that its cell belongs to: 3 x n, length units; no column if a file
+    /// states none. A Voronoi cell contains it, a power cell may lie beside it.
     space::Points sites = space::Points(3, 0);
+    /// The weight of each site, length^2; empty for Voronoi cells.
+    Eigen::VectorXd weights = {};
     /// Of the cells, where the run has some and a format states them.
     CellMaterials materials = {};
 };

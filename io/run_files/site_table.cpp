@@ -60,22 +60,14 @@ SiteColumns filled_columns(const std::string& name, std::string_view text,
 }
 
 /// Adds to a fault of a column that the positions may be taken without it.
-template <class Parse>
+template <int Dimension, class Parse>
 void naming_positions(const TableName& name, const Parse& parse) {
     try {
         parse();
     } catch (const BadFile& fault) {
         throw BadFile(std::string(fault.what()) + ", or take only the positions, --input " +
-                      with_columns(name, "", "x,y"));
+                      with_columns(name, "", names_of_coordinates(Dimension)));
     }
-}
-
-/// Weights in space would not count silently.
-void refuse_weights(const TableName& name, const std::string& path, std::string_view text) {
-    if (!filled_columns(path, text, {.phases = false, .orientations = false}).weights) return;
-    TableScanner(path, text)
-        .refuse_header("weights are for the plane only; name the columns of the coordinates, " +
-                       with_columns(name, "", "x,y,z"));
 }
 
 }  // namespace
@@ -86,15 +78,11 @@ SiteTable<Dimension> parse_site_table(const TableName& name, std::string_view te
     SiteTable<Dimension> table{.sites = parse_sites<Dimension>(name, text)};
     if (!name.columns.empty()) return table;
     const std::string& path = table.sites.name;
-    if constexpr (Dimension == 3) {
-        refuse_weights(name, path, text);
-        return table;
-    }
     const SiteColumns filled = filled_columns(path, text, wanted);
     const auto of_quantity = [&](std::size_t q) {
         return TableName{.path = path, .columns = site_quantities()[q].columns};
     };
-    naming_positions(name, [&] {
+    naming_positions<Dimension>(name, [&] {
         if (filled.weights) table.weights = parse_weights(of_quantity(0), text);
         if (filled.phases) table.phases = parse_phase_table(of_quantity(1), text);
         if (filled.orientations) table.orientations = parse_orientations(of_quantity(2), text);

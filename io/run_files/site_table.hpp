@@ -12,6 +12,9 @@
 
 namespace pcvt {
 
+/// The columns of the coordinates: "x,y", or "x,y,z" in space.
+inline const char* names_of_coordinates(int dimension) { return dimension == 3 ? "x,y,z" : "x,y"; }
+
 /// Which quantities of a table of sites count; without one of them, its column may hold anything.
 struct SiteColumns {
     bool weights = true;
@@ -37,9 +40,9 @@ struct SiteTable {
 };
 
 /// Reads the sites as parse_sites() does. Without names of columns, takes the other quantities as
-/// well, each if a row has it; all rows must have it then. In space only the sites count.
+/// well, each if a row has it; all rows must have it then.
 /// @throws BadFile as parse_sites(), parse_weights(), parse_phase_table() and parse_orientations()
-///         do, and for weights in space.
+///         do.
 template <int Dimension>
 SiteTable<Dimension> parse_site_table(const TableName& name, std::string_view text,
                                       const SiteColumns& wanted);

@@ -126,6 +126,10 @@ VtuGrid vtu_grid(const SpaceTile& tile) {
         std::vector<double> sites(tile.sites.data(), tile.sites.data() + tile.sites.size());
         grid.cell_data.push_back({"Float64", "Site", std::move(sites), 3});
     }
+    if (tile.weights.size() > 0) {
+        std::vector<double> weights(tile.weights.data(), tile.weights.data() + tile.weights.size());
+        grid.cell_data.push_back({"Float64", "Weight", std::move(weights)});
+    }
     add_materials(tile.materials, grid);
     return grid;
 }

@@ -44,9 +44,9 @@ struct VtuData {
 ///              `Orbit`, that of the site: orbits are counted from 0 in the order of their first
 ///              sites; for runs with phases or inclusions `Phase`, that of the site, an index into
 ///              `PhaseNames`; of polyhedra `Faces`, their number, `Volume` (length^3), `Site`, the
-///              image of the site in the cell, and where they have orientations `Orientation`, the
-///              angles phi1, Phi, phi2 in degrees, and `IPFz`, their colour in the inverse pole
-///              figure (io/colours/pole_colours.hpp).
+///              image of the site, of power cells `Weight`, length^2, and where they have
+///              orientations `Orientation`, the angles phi1, Phi, phi2 in degrees, and `IPFz`,
+///              their colour in the inverse pole figure (io/colours/pole_colours.hpp).
 ///   FieldData  `PeriodicLattice`, the period vectors; where the tile has its sites, `Periods`,
 ///              the numbers of periods along both, and `SitePositions`; `ShortEdges`, the length
 ///              below which edges of cells were removed, in units of h; for elongated cells

@@ -20,9 +20,9 @@ namespace {
 /// Volumes that a file states may differ by this part of the volume: by the order of summation.
 constexpr double kVolumeError = 1e-10;
 
-constexpr std::array<std::string_view, 6> kPolyhedraArrays{
-    "Cells/faces",     "Cells/faceoffsets", "CellData/Faces",
-    "CellData/Volume", "CellData/Site",     "CellData/Orientation"};
+constexpr std::array<std::string_view, 7> kPolyhedraArrays{
+    "Cells/faces",   "Cells/faceoffsets", "CellData/Faces",      "CellData/Volume",
+    "CellData/Site", "CellData/Weight",   "CellData/Orientation"};
 
 /// "(1, 0, -1)"
 std::string in_words(const space::Offset& offset) {
@@ -121,6 +121,10 @@ class VtuPolyhedra {
         if (arrays_.find("CellData/Site") != nullptr) {
             const VtuArray& sites = arrays_.get("CellData/Site", n_, 3, false);
             tile.sites = Eigen::Map<const space::Points>(sites.values.data(), 3, n_);
+        }
+        if (arrays_.find("CellData/Weight") != nullptr) {
+            const VtuArray& weights = arrays_.get("CellData/Weight", n_, 1, false);
+            tile.weights = Eigen::Map<const Eigen::VectorXd>(weights.values.data(), n_);
         }
         read_materials(tile.materials);
         return tile;

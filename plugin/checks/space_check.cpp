@@ -96,7 +96,9 @@ std::string prove_cells(const std::string& path, const std::vector<EncodedFile>&
     if (found.tile.mesh.short_edges > 0) {
         line += ", edges under " + figure(found.tile.mesh.short_edges) + " h removed";
     }
-    line += found.sites ? ", Voronoi cells of " + counted(proof.n_cells, "site") + " within " +
+    const bool has_weights = found.tile.weights.size() > 0;
+    line += found.sites ? (has_weights ? ", power cells of " : ", Voronoi cells of ") +
+                              counted(proof.n_cells, "site") + " within " +
                               figure(found.sites->from_bisector) + " h"
                         : ", no sites stored";
     if (cvt_tolerance) line += cvt_text(path, found, *cvt_tolerance);

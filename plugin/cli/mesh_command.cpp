@@ -171,7 +171,8 @@ void take_weights(const WeightFile& weights, const std::string& input, Job& job)
             : nullptr;
     if (fault != nullptr) {
         throw BadFile(weights.name + ": the sites have weights" + fault +
-                      " only the positions, --input " + input + ":x,y");
+                      " only the positions, --input " + input + ":" +
+                      names_of_coordinates(job.is_in_space() ? 3 : 2));
     }
     job.weights = GivenWeights{weights.weights, weights.description};
 }

@@ -62,6 +62,8 @@ constexpr std::array kContradictions{
     Contradiction{FeatureSet{F::kWeights}, FeatureSet{F::kAreas, F::kDensity, F::kStability}, kNone,
                   "--weights does not work with --areas, --density or --stability; leave one of "
                   "them out"},
+    Contradiction{FeatureSet{F::kWeights}, FeatureSet{F::kShortEdgesInSpace}, kNone,
+                  "--short-edges does not work with --weights in space; leave one of them out"},
     Contradiction{FeatureSet{F::kSymmetry}, FeatureSet{F::kGivenSites}, kNone,
                   "--symmetry draws its sites; leave the given sites out, or --symmetry"},
     Contradiction{FeatureSet{F::kSymmetry}, FeatureSet{F::kStartWithEqualCells}, kNone,

@@ -74,6 +74,7 @@ constexpr std::array kFeatures{
     FeatureRow{.feature = F::kWeights,
                .option = "--weights",
                .fields = "weights n_weights",
+               .in_space = true,
                .is_chosen = [](const Job& job) { return job.weights.has_value(); }},
     FeatureRow{.feature = F::kAspect,
                .option = "--aspect",
@@ -170,6 +171,11 @@ constexpr std::array kFeatures{
                            return (axis == 0 ? job.tile.repeat.columns : job.tile.repeat.rows) > 1;
                        });
                    }},
+    FeatureRow{
+        .feature = F::kShortEdgesInSpace,
+        .in_plane = false,
+        .in_space = true,
+        .is_chosen = [](const Job& job) { return job.is_in_space() && job.tile.short_edges > 0; }},
     FeatureRow{.feature = F::kTable, .option = "--cells", .in_space = true},
     FeatureRow{.feature = F::kColour,
                .option = "--colour",

@@ -55,6 +55,7 @@ enum class Feature : std::uint8_t {
     kOrder,
     kRepeat,
     kRepeatAcrossWalls,
+    kShortEdgesInSpace,
     kTable,
     kColour,
     kColourByDensity,

@@ -57,6 +57,14 @@ space::Points start_points(const Job& job, JobMonitor& monitor, StartFigures& fi
     throw InternalError("no sites in space begin there");
 }
 
+space::Tessellation tessellate(const Job& job, const space::Points& points, const RunOptions& run) {
+    const space::Lattice& lattice = job.in_space().lattice;
+    if (job.weights) {
+        return space::Tessellation(weighted_cells(lattice, points, job.weights->values, run));
+    }
+    return space::Tessellation(compute_cvt(lattice, points, {run}));
+}
+
 /// Names the first of these tetrahedra by its sites.
 std::string flat_in_words(const space::TetrahedralMesh& mesh, const std::vector<int>& flat) {
     std::string sites;
@@ -143,6 +151,7 @@ struct SpaceContent {
     CellRows rows() const {
         return {.sites = points,
                 .cells = computation.cells.table(),
+                .weights = computation.cells.delaunay.weights,
                 .materials = computation.materials};
     }
 };
@@ -157,14 +166,14 @@ void SpaceWorld::check_files(const Job& job, const std::vector<JobFile>& files,
 Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
     StartFigures figures;
     const space::Points points = start_points(job, monitor, figures);
-    space::CvtOptions options{job.run};
-    options.run.progress = [&, first = true](const Progress& progress) mutable {
+    RunOptions run = job.run;
+    run.progress = [&, first = true](const Progress& progress) mutable {
         // The first call comes once the first triangulation is built and evaluated.
         if (std::exchange(first, false)) watch.stop(&JobSeconds::build);
         return monitor.iteration(progress);
     };
     watch.stop(&JobSeconds::optimize);
-    space::Tessellation cells(space::compute_cvt(job.in_space().lattice, points, options));
+    space::Tessellation cells = tessellate(job, points, run);
     watch.stop(&JobSeconds::optimize);
     if (cells.run.stop == Stop::kCancelled) throw Cancelled{};
     MaterialsOfCells of_cells;
@@ -188,16 +197,20 @@ SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobF
     space::CellComplex complex = computation.cells.complex();
     const std::size_t n_vertices = complex.vertices.size();
     complex = without_short_edges(std::move(complex), job.tile.short_edges);
+    const bool has_weights = delaunay.weights.size() > 0;
+    std::vector<space::Offset> images;
     ProvedSpaceTile built{
-        .tile = {.mesh = polyhedral_mesh(delaunay.sites, complex, job.in_space().origin)}};
+        .tile = {.mesh = polyhedral_mesh(delaunay.sites, complex, job.in_space().origin, &images)}};
     built.figures.n_removed_edges = static_cast<int>(n_vertices - complex.vertices.size());
     SpaceTile& tile = built.tile;
-    tile.sites = sites_in_cells(delaunay.sites, tile.mesh);
+    tile.weights = delaunay.weights;
+    tile.sites =
+        has_weights ? sites_of_cells(complex, images) : sites_in_cells(delaunay.sites, tile.mesh);
     tile.materials = computation.materials;
     monitor.begin(Phase::kProving, "proving the cells");
     try {
         built.figures.proof = prove_polyhedra(tile.mesh);
-        prove_cell_sites(tile.mesh, tile.sites);
+        prove_cell_sites(tile.mesh, tile.sites, tile.weights);
     } catch (const NotATile& error) {
         throw InternalError(std::string("a tile breaks its laws: ") + error.what());
     }

@@ -273,6 +273,12 @@ def check_space_grains(folder, text):
     require("grains.vtu: a periodic tile of polyhedra: 500 cells" in text, "check does not accept the cells")
 
 
+def check_balls(folder, text):
+    require_files(folder, "cells.csv")
+    require("balls.vtu: a periodic tile of polyhedra: 4 cells" in text and ", power cells of 4 sites" in text,
+            "check does not accept the power cells")
+
+
 def check_faces(_, text):
     on_side, of_cell = number(text, r"^(\d+) faces on one side"), number(text, r"(\d+) faces of cell 0$")
     require(on_side > 10 and of_cell >= 4, f"{on_side} faces on one side, {of_cell} of cell 0")
@@ -405,6 +411,7 @@ ROWS = {
     ("Space", ""): Row(),
     ("Space", "Polyhedra for OpenFOAM and VTK"): Row(check_space, programs=("icoFoam",)),
     ("Space", "Phases, orientations and a table of the cells"): Row(check_space_grains),
+    ("Space", "Laguerre cells of balls"): Row(check_balls),
     ("Space", "Surfaces and pictures"): Row(check_surfaces),
     ("Space", "Space in Python"): Row(check_faces),
     ("Your own data", ""): Row(),

@@ -88,8 +88,9 @@ void add_face(SiteId p, std::span<const RingEntry> ring, const VoronoiCorners& v
 
 }  // namespace
 
-CellComplex cell_complex(const Sites& sites, const TorusTetrahedra& tetrahedra) {
-    VoronoiCorners vertices = voronoi_corners(sites, tetrahedra);
+CellComplex cell_complex(const Sites& sites, const TorusTetrahedra& tetrahedra,
+                         const Eigen::VectorXd& weights) {
+    VoronoiCorners vertices = voronoi_corners(sites, tetrahedra, weights);
     CellComplex complex{.reduced = sites.reduction().reduced, .n_cells = sites.n_sites()};
     for (SiteId s = 0; s < sites.n_sites(); ++s) complex.sites.push_back(sites.position(s));
     std::vector<RingEntry> entries;

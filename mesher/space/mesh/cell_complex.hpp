@@ -63,8 +63,11 @@ struct CellComplex {
     }
 };
 
-/// Returns the dual of a periodic Delaunay triangulation.
-CellComplex cell_complex(const Sites& sites, const TorusTetrahedra& tetrahedra);
+/// Returns the dual of a periodic Delaunay triangulation, or with weights of a regular one: power
+/// cells, for whose corners (3) holds with power distances.
+/// @param weights  length^2, one a site; empty for Voronoi cells.
+CellComplex cell_complex(const Sites& sites, const TorusTetrahedra& tetrahedra,
+                         const Eigen::VectorXd& weights = {});
 
 /// The volume of a cell, its centroid, and the integral of |p - centroid|^2 over it.
 struct CellBody {

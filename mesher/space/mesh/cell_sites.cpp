@@ -38,15 +38,24 @@ Vec3 nearest_image(const Lattice& reduced, const Vec3& p, const Vec3& q) {
 /// Examines the faces of a tile against the planes between sites.
 class BisectorProof {
    public:
-    BisectorProof(const PolyhedralMesh& mesh, const Points& sites, double spacing)
-        : mesh_(mesh), sites_(sites), bodies_(cell_bodies(mesh)), spacing_(spacing) {}
+    BisectorProof(const PolyhedralMesh& mesh, const Points& sites, const Eigen::VectorXd& weights,
+                  double spacing)
+        : mesh_(mesh),
+          sites_(sites),
+          weights_(weights),
+          bodies_(cell_bodies(mesh)),
+          spacing_(spacing) {}
 
-    void prove_face(int face, const Vec3& other) {
+    /// @param other  the image of the site on the other side of the face, that of cell `across`.
+    void prove_face(int face, int across, const Vec3& other) {
         const int cell = mesh_.owner[face];
         const Vec3 site = sites_.col(cell);
         const double distance = (other - site).norm();
         const Vec3 direction = (other - site) / distance;
-        const Vec3 middle = (site + other) / 2;
+        Vec3 middle = (site + other) / 2;
+        if (weights_.size() > 0) {
+            middle += (weights_[cell] - weights_[across]) / (2 * distance) * direction;
+        }
         for (const int v : mesh_.faces[face]) {
             const double off = std::abs((mesh_.points[v] - middle).dot(direction)) / spacing_;
             if (!(off <= kBisectorTolerance + mesh_.short_edges)) {
@@ -72,6 +81,7 @@ class BisectorProof {
    private:
     const PolyhedralMesh& mesh_;
     const Points& sites_;
+    const Eigen::VectorXd& weights_;
     std::vector<CellBody> bodies_;
     double spacing_;
     CellSiteFigures figures_;
@@ -91,24 +101,33 @@ Points sites_in_cells(const Sites& sites, const PolyhedralMesh& mesh) {
     return images;
 }
 
-CellSiteFigures prove_cell_sites(const PolyhedralMesh& mesh, const Points& sites) {
+Points sites_of_cells(const CellComplex& complex, const std::vector<Offset>& images) {
+    Points sites(3, complex.n_cells);
+    for (int s = 0; s < complex.n_cells; ++s) {
+        sites.col(s) = complex.sites[s] + complex.reduced.translation(images[s]);
+    }
+    return sites;
+}
+
+CellSiteFigures prove_cell_sites(const PolyhedralMesh& mesh, const Points& sites,
+                                 const Eigen::VectorXd& weights) {
     if (sites.cols() != mesh.n_cells) {
         throw_violation(kSiteLaw, "there are " + std::to_string(sites.cols()) + " sites of " +
                                       std::to_string(mesh.n_cells) + " cells");
     }
     const double spacing = portable_cbrt(mesh.lattice.volume() / mesh.n_cells);
-    BisectorProof proof(mesh, sites, spacing);
+    BisectorProof proof(mesh, sites, weights, spacing);
     for (int f = 0; f < mesh.n_inner_faces(); ++f) {
         checkpoint_each(f);
-        proof.prove_face(f, sites.col(mesh.neighbour[f]));
+        proof.prove_face(f, mesh.neighbour[f], sites.col(mesh.neighbour[f]));
     }
     for (const FiniteVolumePatch& patch : mesh.patches) {
         // The neighbour across the seam is the partner's owner, back by the translation.
         const int partner = mesh.patches[patch.partner].first_face;
         for (int k = 0; k < patch.n_faces; ++k) {
             checkpoint_each(k);
-            proof.prove_face(patch.first_face + k,
-                             sites.col(mesh.owner[partner + k]) - patch.separation);
+            const int across = mesh.owner[partner + k];
+            proof.prove_face(patch.first_face + k, across, sites.col(across) - patch.separation);
         }
     }
     return proof.figures();

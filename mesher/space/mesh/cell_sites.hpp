@@ -25,13 +25,20 @@ struct CellSiteFigures {
     double from_centroid = 0;
 };
 
+/// Returns the image of the site of each cell of a tile whose cells are these images of those of a
+/// complex (chosen_images()): 3 x n, length units. A power cell may not contain its site.
+Points sites_of_cells(const CellComplex& complex, const std::vector<Offset>& images);
+
 /// Proves that the cells are the periodic Voronoi cells of the sites: each face lies in the plane
 /// halfway between the sites of its two cells, each of which lies on the side of its site. Cells
-/// that fill the torus and satisfy this at each face are the Voronoi cells.
+/// that fill the torus and satisfy this at each face are the Voronoi cells. With weights the cells
+/// are power cells, and the plane that of equal power distances.
 ///
 /// @pre prove_polyhedra() has proved the mesh.
-/// @param sites  3 x n, the image of each site that lies in its cell, length units.
+/// @param sites    3 x n, the image of each site that its cell belongs to, length units.
+/// @param weights  length^2, one a site; empty for Voronoi cells.
 /// @throws NotATile naming the first cell that is not that of its site.
-CellSiteFigures prove_cell_sites(const PolyhedralMesh& mesh, const Points& sites);
+CellSiteFigures prove_cell_sites(const PolyhedralMesh& mesh, const Points& sites,
+                                 const Eigen::VectorXd& weights = {});
 
 }  // namespace pcvt::space

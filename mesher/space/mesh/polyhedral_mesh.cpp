@@ -143,10 +143,12 @@ void add_seam_patches(const Offset& offset, int n, PolyhedralMesh& mesh) {
                            mesh.lattice.translation(-offset), n, mesh);
 }
 
-PolyhedralMesh polyhedral_mesh(const Sites& sites, const CellComplex& complex, const Vec3& origin) {
+PolyhedralMesh polyhedral_mesh(const Sites& sites, const CellComplex& complex, const Vec3& origin,
+                               std::vector<Offset>* images_of_cells) {
     const Reduction& reduction = sites.reduction();
     const std::vector<Offset> images = chosen_images(
         complex, cell_bodies(complex), domain_corner(sites.lattice(), reduction, origin));
+    if (images_of_cells != nullptr) *images_of_cells = images;
     const PlacedFaces placed = placed_faces(complex, images, reduction);
     PolyhedralMesh mesh{{.n_cells = sites.n_sites()}, sites.lattice()};
     mesh.short_edges = complex.short_edges;

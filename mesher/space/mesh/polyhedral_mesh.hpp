@@ -42,7 +42,10 @@ void add_seam_patches(const Offset& offset, int n, PolyhedralMesh& mesh);
 ///   const PolyhedralProof proof = prove_polyhedra(mesh);
 ///
 /// @param origin  the corner of the domain, length units.
+/// @param images  gets the image of each cell that the tile has, as chosen_images() returns them,
+///                unless it is null.
 PolyhedralMesh polyhedral_mesh(const Sites& sites, const CellComplex& complex,
-                               const Vec3& origin = Vec3::Zero());
+                               const Vec3& origin = Vec3::Zero(),
+                               std::vector<Offset>* images = nullptr);
 
 }  // namespace pcvt::space

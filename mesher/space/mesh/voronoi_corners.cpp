@@ -60,8 +60,8 @@ WideMatrix wide_periods(const Lattice& lattice) {
 
 /// Computes in wide numbers from differences of lattice coordinates, which are exact: nearly
 /// flat tetrahedra lose half of the digits.
-Centre circumcentre(const Sites& sites, const WideMatrix& periods, const Tetrahedron& corners,
-                    double rounding) {
+Centre circumcentre(const Sites& sites, const Eigen::VectorXd& weights, const WideMatrix& periods,
+                    const Tetrahedron& corners, double rounding) {
     const Points& u = sites.coordinates();
     const auto first = u.col(corners[0].site);
     WideMatrix edges;
@@ -72,6 +72,9 @@ Centre circumcentre(const Sites& sites, const WideMatrix& periods, const Tetrahe
         const WideVector edge = periods * step.cast<WideDouble>();
         edges.row(k) = edge.transpose();
         halves[k] = edge.squaredNorm() / 2;
+        if (weights.size() == 0) continue;
+        const WideDouble weight = weights[corners[0].site];
+        halves[k] = halves[k] + (weight - WideDouble(weights[corners[k + 1].site])) / 2;
     }
     const WideDouble volume = edges.determinant();
     if (is_flat(edges, static_cast<double>(volume), rounding)) return {Vec3::Zero(), false};
@@ -84,14 +87,16 @@ Centre circumcentre(const Sites& sites, const WideMatrix& periods, const Tetrahe
     return {(origin + centre).cast<double>(), true};
 }
 
-std::vector<Centre> circumcentres(const Sites& sites, const TorusTetrahedra& tetrahedra) {
+std::vector<Centre> circumcentres(const Sites& sites, const TorusTetrahedra& tetrahedra,
+                                  const Eigen::VectorXd& weights) {
     const WideMatrix periods = wide_periods(sites.reduction().reduced);
     const double rounding = site_rounding(sites.reduction().reduced);
     std::vector<Centre> centres;
     centres.reserve(static_cast<std::size_t>(tetrahedra.n_tetrahedra()));
     for (int t = 0; t < tetrahedra.n_tetrahedra(); ++t) {
         checkpoint_each(t);
-        centres.push_back(circumcentre(sites, periods, tetrahedra.tetrahedron(t), rounding));
+        centres.push_back(
+            circumcentre(sites, weights, periods, tetrahedra.tetrahedron(t), rounding));
     }
     return centres;
 }
@@ -142,8 +147,9 @@ void merge_flat(const TorusTetrahedra& tetrahedra, std::vector<Centre>& centres,
 
 }  // namespace
 
-VoronoiCorners voronoi_corners(const Sites& sites, const TorusTetrahedra& tetrahedra) {
-    std::vector<Centre> centres = circumcentres(sites, tetrahedra);
+VoronoiCorners voronoi_corners(const Sites& sites, const TorusTetrahedra& tetrahedra,
+                               const Eigen::VectorXd& weights) {
+    std::vector<Centre> centres = circumcentres(sites, tetrahedra, weights);
     const int n = tetrahedra.n_tetrahedra();
     Merged merged(n);
     merge_close(sites, tetrahedra, centres, merged);

@@ -6,7 +6,8 @@
 
 namespace pcvt::space {
 
-/// The corners of Voronoi cells: circumcentres of tetrahedra, those of cospherical sites once.
+/// The corners of Voronoi cells: circumcentres of tetrahedra, those of cospherical sites once. With
+/// weights those of power cells, the points of equal power distance to four sites.
 struct VoronoiCorners {
     /// Positions, length units.
     std::vector<Vec3> positions;
@@ -22,6 +23,9 @@ struct VoronoiCorners {
 /// Example usage:
 ///     const VoronoiCorners corners = voronoi_corners(sites, tetrahedra);
 ///     const Vec3 centre = corners.positions[corners.of_tetrahedron[t].vertex];
-VoronoiCorners voronoi_corners(const Sites& sites, const TorusTetrahedra& tetrahedra);
+///
+/// @param weights  length^2, one a site; empty for Voronoi cells.
+VoronoiCorners voronoi_corners(const Sites& sites, const TorusTetrahedra& tetrahedra,
+                               const Eigen::VectorXd& weights = {});
 
 }  // namespace pcvt::space

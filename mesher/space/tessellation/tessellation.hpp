@@ -6,6 +6,7 @@
 
 #include "mesher/cells/cell_table.hpp"
 #include "mesher/space/cvt/cvt.hpp"
+#include "mesher/space/cvt/weighted_cells.hpp"
 #include "mesher/space/mesh/cell_complex.hpp"
 
 namespace pcvt::space {
@@ -17,7 +18,8 @@ struct CellCache {
     std::optional<CellTable> table;
 };
 
-/// A tessellation of space, the run that computed it, and its cells.
+/// A tessellation of space, the run that computed it, and its cells: Voronoi cells, or power cells
+/// where `delaunay` has weights.
 ///
 /// Example usage:
 ///     const Tessellation cells{compute_cvt(lattice, points, options)};
@@ -25,6 +27,8 @@ struct CellCache {
 ///     const PolyhedralMesh mesh = polyhedral_mesh(cells.delaunay.sites, cells.complex());
 struct Tessellation : CvtResult {
     explicit Tessellation(CvtResult&& result) : CvtResult(std::move(result)) {}
+    explicit Tessellation(WeightedCells&& cells)
+        : CvtResult{.delaunay = std::move(cells.delaunay), .run = cells.run} {}
 
     /// The cells. The first call after table() takes the cells from which the table was made. Any
     /// number of threads may call this.

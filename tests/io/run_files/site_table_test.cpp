@@ -101,14 +101,16 @@ TEST(SiteTable, StandardInputIsNamedInFaultsAndTypedInRemedies) {
               "-1.5e3, or take only the positions, --input -:x,y");
 }
 
-TEST(SiteTable, InSpaceOnlyTheSitesCountAndWeightsAreRefused) {
+TEST(SiteTable, SpaceHasTheSameQuantities) {
     const auto table = parse_site_table<3>(
-        {"t.csv"}, "x,y,z,weight,phase,phi1,Phi,phi2\n1,2,3,,Iron bcc,a,b,c\n", {});
-    EXPECT_EQ(table.sites.points.cols(), 1);
-    EXPECT_FALSE(table.phases);
-    EXPECT_EQ(site_table_fault<3>("x,y,z,weight\n1,2,3,\n1,2,4,5\n"),
-              "t.csv:1: weights are for the plane only; name the columns of the coordinates, "
-              "t.csv:x,y,z");
+        {"t.csv"}, "x,y,z,weight,phase,phi1,Phi,phi2\n1,2,3,0.5,a,1,2,3\n4,5,6,0.25,b,4,5,6\n", {});
+    EXPECT_EQ(table.sites.points.col(1), Eigen::Vector3d(4, 5, 6));
+    EXPECT_EQ(table.weights->weights[1], 0.25);
+    EXPECT_EQ(table.phases->site_phases, (std::vector<int>{0, 1}));
+    EXPECT_EQ(table.orientations[1].Phi, 5);
+    EXPECT_EQ(site_table_fault<3>("x,y,z,weight\n1,2,3,4\n1,2,4,kg\n"),
+              "t.csv:3: column 'weight': 'kg' is not a number; write a decimal such as -1.5e3, or "
+              "take only the positions, --input t.csv:x,y,z");
     EXPECT_EQ(site_table_fault<3>("x,y,z,weight\n1,2,3,4\n", {"t.csv", {"x", "y", "z"}}), "");
 }
 

@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import random
 import re
 
 from support.cli import CliTest, main
@@ -116,8 +117,50 @@ class Again(TableTest):
             self.refuse(2, r"^c\.csv: the sites have weights, which do not work with --density or --stability; leave "
                            r"these out, or take only the positions, --input c\.csv:x,y$", *AGAIN, *option)
         self.write("z.csv", "x,y,z,weight\n0.1,0.2,0.3,1\n")
-        self.refuse(2, r"^z\.csv:1: weights are for the plane only; name the columns of the coordinates, z\.csv:x,y,z$",
-                    "mesh", "--input", "z.csv", "--period", "1,1,1")
+        self.refuse(2, r"^z\.csv: the sites have weights, .* add --max-iterations 0, or take only the positions, "
+                       r"--input z\.csv:x,y,z$", "mesh", "--input", "z.csv", "--period", "1,1,1")
+
+
+class Space(TableTest):
+    def setUp(self):
+        super().setUp()
+        draw = random.Random(5)
+        self.write("b.csv", "x,y,z,radius\n" + "".join(
+            f"{draw.random()},{draw.random()},{draw.random()},{draw.uniform(0.1, 0.13)}\n" for _ in range(60)))
+        self.made = ("mesh", "--input", "b.csv", "--period", "1,1,1", "--weights", "b.csv:radius", "--max-iterations", 0)
+
+    def test_balls_have_power_cells(self):
+        summary = self.succeed(*self.made, "-o", "t.vtu", "--cells", "c.csv", "-o", "t.svg", "-o", "t.txt")
+        self.assertIn("weights    squared radii of column radius of b.csv", summary)
+        self.assertIn(", power cells of 60 sites within ", self.succeed("check", "t.vtu"))
+        rows = [line.split(",") for line in self.path("c.csv").read_text().splitlines() if not line.startswith("#")]
+        self.assertAlmostEqual(sum(float(row[5]) for row in rows[1:]), 1, delta=1e-12)
+
+    def test_a_table_of_cells_gives_the_same_cells(self):
+        self.succeed(*self.made, "-o", "t.vtu", "--cells", "c.csv", "--orientations", "random", "--phases", "a:0.4,b:0.6")
+        self.succeed("mesh", "--input", "c.csv", "--period", "1,1,1", "--max-iterations", 0, "-o", "s.vtu")
+        self.assertEqual(self.path("t.vtu").read_bytes(), self.path("s.vtu").read_bytes())
+
+    def test_equal_weights_give_voronoi_cells(self):
+        self.write("w.txt", "0.5\n" * 60)
+        given = ("mesh", "--input", "b.csv:x,y,z", "--period", "1,1,1", "--max-iterations", 0)
+        self.succeed(*given, "--weights", "w.txt", "--cells", "c.csv")
+        self.succeed(*given, "--cells", "v.csv")
+        tables = [[line.split(",") for line in self.path(name).read_text().splitlines() if not line.startswith("#")]
+                  for name in ("c.csv", "v.csv")]
+        for weighted, plain in zip(*tables, strict=True):
+            self.assertEqual(weighted[:4] + weighted[-1:], plain[:4] + plain[-1:])
+        for weighted, plain in zip(tables[0][1:], tables[1][1:]):
+            self.assertAlmostEqual(float(weighted[5]), float(plain[5]), delta=1e-13)
+
+    def test_what_power_cells_lack_is_refused(self):
+        for path in ("t.obj", "t.foam", "t.msh", "t.glb"):
+            self.refuse(2, "cannot state the weights of power cells; take .vtu", *self.made, "-o", path)
+        self.refuse(2, "--short-edges does not work with --weights in space", *self.made, "--short-edges", 0.01, "-o",
+                    "t.vtu")
+        x, y, z, _ = map(float, self.path("b.csv").read_text().splitlines()[1].split(","))
+        self.write("b.csv", self.path("b.csv").read_text() + f"{x + 0.005},{y},{z},0.001\n")
+        self.refuse(2, r"^b\.csv:62: the cell of this site is empty", *self.made, "-o", "t.vtu")
 
 
 class Weights(TableTest):
@@ -170,8 +213,6 @@ class Weights(TableTest):
         self.refuse(2, rf"^pcvt: \(1\) .*; \(\d\) {keeps}; \(\d\) --weights does not work with .*$", *sites, "--areas",
                     "equal", "--density", "1 + u")
         self.refuse(2, "^pcvt: --weights is for the sites of --input; add it$", "mesh", "--sites", 4, "--weights", "s.csv")
-        self.refuse(2, "^pcvt: --weights is not for three dimensions; ", "mesh", "--input", "s.csv:1,2,3", "--period",
-                    "1,1,1", "--max-iterations", 0, "--weights", "s.csv")
         self.refuse(2, "^pcvt: --wall-cells half moves sites", *sites, "--max-iterations", 0, "--walls", "y",
                     "--wall-cells", "half")
 
