@@ -81,6 +81,40 @@ std::string three_digits(double x) {
     return {text.data(), end};
 }
 
+/// Scales sizes to the sum `total`, as scaled_areas() does.
+/// @param word  of a size in messages.
+Eigen::VectorXd scaled_sizes(const Eigen::VectorXd& sizes, int n_sites, double total,
+                             const std::string& word) {
+    if (sizes.size() != n_sites) {
+        throw InvalidInput("there are " + std::to_string(sizes.size()) + " " + word + "s for " +
+                           std::to_string(n_sites) + " sites; give one for each site");
+    }
+    for (int s = 0; s < n_sites; ++s) {
+        if (std::isfinite(sizes[s]) && sizes[s] > 0) continue;
+        throw InvalidInput("the " + word + " of site " + std::to_string(s) + " is " +
+                           three_digits(sizes[s]) + "; give a positive number");
+    }
+    // The largest area first: sums of very large sizes stay finite.
+    const Eigen::VectorXd relative = sizes / sizes.maxCoeff();
+    const double mean = relative.mean();
+    Eigen::Index smallest = 0;
+    const double least = relative.minCoeff(&smallest) / mean;
+    if (!(least >= kLeastArea)) {
+        throw InvalidInput("the " + word + " of site " + std::to_string(smallest) + " is " +
+                           three_digits(least) + " of the mean; give " + word + "s above " +
+                           three_digits(kLeastArea) +
+                           " of the mean, or a law with a smaller spread");
+    }
+    return relative * (total / relative.sum());
+}
+
+Eigen::VectorXd draw_diameters(const AreaLaw& law, int n, std::uint64_t seed) {
+    RandomNumbers random(seed);
+    Eigen::VectorXd diameters(n);
+    for (double& d : diameters) d = draw_diameter(law, random);
+    return diameters;
+}
+
 const LawRow* find_row(std::string_view text) {
     const std::string_view word = text.substr(0, text.find(':'));
     for (const LawRow& row : kLaws) {
@@ -118,10 +152,11 @@ AreaLaw parse_area_law(const std::string& text) {
 }
 
 Eigen::VectorXd draw_areas(const AreaLaw& law, int n, std::uint64_t seed) {
-    RandomNumbers random(seed);
-    Eigen::VectorXd diameters(n);
-    for (double& d : diameters) d = draw_diameter(law, random);
-    return areas_of_diameters(diameters);
+    return areas_of_diameters(draw_diameters(law, n, seed));
+}
+
+Eigen::VectorXd draw_volumes(const AreaLaw& law, int n, std::uint64_t seed) {
+    return volumes_of_diameters(draw_diameters(law, n, seed));
 }
 
 Eigen::VectorXd areas_of_diameters(const Eigen::VectorXd& diameters) {
@@ -129,28 +164,16 @@ Eigen::VectorXd areas_of_diameters(const Eigen::VectorXd& diameters) {
     return std::numbers::pi / 4 * diameters.array() * diameters.array().abs();
 }
 
+Eigen::VectorXd volumes_of_diameters(const Eigen::VectorXd& diameters) {
+    return std::numbers::pi / 6 * diameters.array().square() * diameters.array();
+}
+
 Eigen::VectorXd scaled_areas(const Eigen::VectorXd& areas, int n_sites, double total) {
-    if (areas.size() != n_sites) {
-        throw InvalidInput("there are " + std::to_string(areas.size()) + " areas for " +
-                           std::to_string(n_sites) + " sites; give one for each site");
-    }
-    for (int s = 0; s < n_sites; ++s) {
-        if (std::isfinite(areas[s]) && areas[s] > 0) continue;
-        throw InvalidInput("the area of site " + std::to_string(s) + " is " +
-                           three_digits(areas[s]) + "; give a positive number");
-    }
-    // The largest area first: sums of very large areas stay finite.
-    const Eigen::VectorXd relative = areas / areas.maxCoeff();
-    const double mean = relative.mean();
-    Eigen::Index smallest = 0;
-    const double least = relative.minCoeff(&smallest) / mean;
-    if (!(least >= kLeastArea)) {
-        throw InvalidInput("the area of site " + std::to_string(smallest) + " is " +
-                           three_digits(least) + " of the mean; give areas above " +
-                           three_digits(kLeastArea) +
-                           " of the mean, or a law with a smaller spread");
-    }
-    return relative * (total / relative.sum());
+    return scaled_sizes(areas, n_sites, total, "area");
+}
+
+Eigen::VectorXd scaled_volumes(const Eigen::VectorXd& volumes, int n_sites, double total) {
+    return scaled_sizes(volumes, n_sites, total, "volume");
 }
 
 std::optional<double> area_scale(const Eigen::VectorXd& areas, double total) {
@@ -158,8 +181,9 @@ std::optional<double> area_scale(const Eigen::VectorXd& areas, double total) {
     return std::isfinite(scale) && scale > 0 ? std::optional(scale) : std::nullopt;
 }
 
-double diameter_spread(const Eigen::VectorXd& areas) {
-    const Eigen::ArrayXd diameters = (areas.array() / areas.maxCoeff()).sqrt();
+double diameter_spread(const Eigen::VectorXd& sizes, int dimension) {
+    Eigen::ArrayXd diameters = sizes.array() / sizes.maxCoeff();
+    for (double& d : diameters) d = dimension == 3 ? portable_cbrt(d) : std::sqrt(d);
     const double mean = diameters.mean();
     return std::sqrt((diameters - mean).square().mean()) / mean;
 }

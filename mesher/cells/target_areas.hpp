@@ -7,7 +7,8 @@
 
 namespace pcvt {
 
-/// The distribution of the equivalent diameters 2 sqrt(a / pi) of cells.
+/// The distribution of the equivalent diameters of cells, 2 sqrt(area / pi) or (6 volume /
+/// pi)^(1/3).
 struct AreaLaw {
     enum class Kind { kEqual, kLognormal, kGamma };
     Kind kind = Kind::kEqual;
@@ -40,19 +41,26 @@ AreaLaw parse_area_law(const std::string& text);
 /// the points that uniform_points draws from the same seed.
 Eigen::VectorXd draw_areas(const AreaLaw& law, int n, std::uint64_t seed);
 
-/// The areas of cells with these equivalent diameters.
+/// The same for volumes: the equivalent diameters have the law.
+Eigen::VectorXd draw_volumes(const AreaLaw& law, int n, std::uint64_t seed);
+
+/// The areas of cells with these equivalent diameters, and their volumes.
 Eigen::VectorXd areas_of_diameters(const Eigen::VectorXd& diameters);
+Eigen::VectorXd volumes_of_diameters(const Eigen::VectorXd& diameters);
 
 /// Scales areas to the sum `total`.
 /// @throws InvalidInput naming the first area that is not a positive finite number or is below
 ///         kLeastArea times the mean, or if there are not n_sites areas.
 Eigen::VectorXd scaled_areas(const Eigen::VectorXd& areas, int n_sites, double total);
+/// The same for volumes.
+Eigen::VectorXd scaled_volumes(const Eigen::VectorXd& volumes, int n_sites, double total);
 
 /// The factor by which scaled_areas() multiplies areas; `nullopt` where it is not a positive finite
 /// number.
 std::optional<double> area_scale(const Eigen::VectorXd& areas, double total);
 
 /// Standard deviation (of a population) over mean of the equivalent diameters of cells.
-double diameter_spread(const Eigen::VectorXd& areas);
+/// @param dimension  2: the sizes are areas; 3: volumes.
+double diameter_spread(const Eigen::VectorXd& sizes, int dimension = 2);
 
 }  // namespace pcvt

@@ -290,7 +290,7 @@ Job make_job(const pcvt_options& options) {
         throw InvalidInput("find_origin is neither 0 nor 1");
     }
     job.tile.finds_origin = options.find_origin == 1;
-    job.areas = target_sizes(options);
+    job.sizes = target_sizes(options);
     job.weights = given_weights(options);
     job.aspect = aspect(options);
     job.symmetry = symmetry(options.symmetry);

@@ -127,7 +127,7 @@ void add_cell_options(CLI::App& app, CellOptions& options, Job& job) {
 void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job) {
     if (app.count("--aspect") > 0) job.aspect = read_aspect(options.aspect);
     if (app.count("--areas") > 0) {
-        job.areas = target_sizes(options.areas);
+        job.sizes = target_sizes(options.areas);
         if (!names_area_law(options.areas)) job.inputs.push_back(area_table(options.areas).path);
     }
     if (app.count("--weights") > 0) {
@@ -183,11 +183,11 @@ plane::Lattice automatic_period(const CellOptions& options) {
 }
 
 void read_area_file(Job& job) {
-    if (!job.areas || names_area_law(job.areas->name)) return;
-    AreaFile file = read_areas(area_table(job.areas->name));
+    if (!job.sizes || names_area_law(job.sizes->name)) return;
+    AreaFile file = read_areas(area_table(job.sizes->name));
     require_areas(file, job.n_wanted());
-    job.areas->given = std::move(file.areas);
-    job.areas->name = std::move(file.description);
+    job.sizes->given = std::move(file.areas);
+    job.sizes->name = std::move(file.description);
 }
 
 void read_weight_file(const CellOptions& options, Job& job) {

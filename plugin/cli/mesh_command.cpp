@@ -156,7 +156,7 @@ void require_all_sites(Job& job) {
 
 /// The columns of the table of the sites that count: options win over them.
 SiteColumns wanted_columns(const Job& job, const MeshOptions& options) {
-    return {.weights = options.cells.weights.empty() && !job.areas,
+    return {.weights = options.cells.weights.empty() && !job.sizes,
             .phases = job.materials.phases.empty() && !job.has_inclusions(),
             .orientations = !job.materials.has_orientations() && !job.has_inclusions()};
 }
@@ -224,7 +224,7 @@ RunSummary run_in(Domain& domain, Job& job, const MeshOptions& options) {
     take_columns(table, options.input, job);
     read_area_file(job);
     read_weight_file(options.cells, job);
-    if (options.period == "auto" && job.areas) require_all_sites(job);
+    if (options.period == "auto" && job.sizes) require_all_sites(job);
     require_near_sites(domain.lattice, file);
     return run_distinct(job, file, options.quiet);
 }

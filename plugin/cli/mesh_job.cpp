@@ -104,7 +104,7 @@ void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job)
         job.n_sites = whole_number("--sites", options.sites, 1,
                                    job.is_in_space() ? space::kMostSites : plane::kMostSites);
     }
-    const bool draws_areas = job.areas && job.areas->is_drawn();
+    const bool draws_areas = job.sizes && job.sizes->is_drawn();
     if (!draws_areas) refuse_beside_input(app, {"--seed"});
     refuse_beside_input(app, {"--retry", "--start", "--symmetry"});
     if (app.count("--seed") > 0) job.seed = seed_number("--seed", options.seed);

@@ -136,17 +136,24 @@ std::string density_lines(const plane::DensityFigures& density) {
                                      figure(density.quadrature_error) + " of their spacing");
 }
 
-std::string area_lines(const Job& job, const plane::AreaSummary& areas) {
-    const std::string scale = areas.scale ? " (each area times " + figure(*areas.scale) + ")" : "";
-    return summary_line("areas", job.areas->name + scale + ", diameters with std / mean " +
-                                     figure(areas.std_over_mean) +
-                                     (areas.newton.converged ? ", converged: off by at most "
-                                                             : ", not converged: off by up to ") +
-                                     figure(areas.newton.largest_relative_error) + " after " +
-                                     counted(areas.newton.newton_steps, "Newton step")) +
-           summary_line("shapes", "circularity " + figure(areas.circularity_mean) + " +- " +
-                                      figure(areas.circularity_std) +
-                                      ", of a regular hexagon 0.952");
+std::string size_lines(const Job& job, const SizeSummary& sizes) {
+    const bool in_space = job.is_in_space();
+    const std::string scale = sizes.scale
+                                  ? std::string(" (each ") + (in_space ? "volume" : "area") +
+                                        " times " + figure(*sizes.scale) + ")"
+                                  : "";
+    return summary_line(in_space ? "volumes" : "areas",
+                        job.sizes->name + scale + ", diameters with std / mean " +
+                            figure(sizes.std_over_mean) +
+                            (sizes.newton.converged ? ", converged: off by at most "
+                                                    : ", not converged: off by up to ") +
+                            figure(sizes.newton.largest_relative_error) + " after " +
+                            counted(sizes.newton.newton_steps, "Newton step")) +
+           summary_line("shapes", (in_space ? "sphericity " : "circularity ") +
+                                      figure(sizes.roundness_mean) + " +- " +
+                                      figure(sizes.roundness_std) +
+                                      (in_space ? ", of a truncated octahedron 0.910"
+                                                : ", of a regular hexagon 0.952"));
 }
 
 std::string inclusion_text(const plane::InterfaceFigures& figures) {
@@ -262,7 +269,7 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     if (!summary.start.found.empty()) text += summary_line("found", summary.start.found);
     if (summary.start.pattern) text += pattern_lines(job, *summary.start.pattern);
     if (summary.density) text += density_lines(*summary.density);
-    if (summary.areas) text += area_lines(job, *summary.areas);
+    if (summary.sizes) text += size_lines(job, *summary.sizes);
     if (job.weights) text += summary_line("weights", job.weights->name);
     text += constraint_lines(job, summary);
     text += phase_lines(job, summary);

@@ -30,6 +30,7 @@ enum class Feature : std::uint8_t {
     kDensity,
     kDensityRange,
     kAreas,
+    kVolumes,
     kWeights,
     kAspect,
     kHasWalls,

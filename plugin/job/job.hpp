@@ -29,7 +29,7 @@ namespace pcvt {
 /// lattice for their number, at the best state of a global search. job_start.hpp has their table.
 enum class Start { kRandom, kCoarse, kLattice, kBest };
 
-/// The target areas of the cells: drawn from a law, or given.
+/// The target areas of the cells, in space their volumes: drawn from a law, or given.
 struct TargetSizes {
     AreaLaw law = {};
     /// One positive number a site, in any unit: scaled to the area of the domain. Empty: `law`.
@@ -108,7 +108,7 @@ struct Job {
     /// most so often. For drawn sites and outputs that can refuse.
     int retries = 0;
 
-    /// With `areas`, max_iterations is the number of steps that move each site to the centroid of
+    /// With `sizes`, max_iterations is the number of steps that move each site to the centroid of
     /// its cell. run_job() sets progress.
     RunOptions run;
     /// Whether the summary answers if the result is a minimum, which costs up to three times the
@@ -118,14 +118,14 @@ struct Job {
     std::optional<plane::Density> density;
     /// Its formula or file, for the report.
     std::string density_name;
-    /// Cells of prescribed areas: power cells. Excludes a density, and starts and solvers of cells
-    /// that are all alike.
-    std::optional<TargetSizes> areas;
+    /// Cells of prescribed areas, in space of volumes: power cells. Excludes a density, and starts
+    /// and solvers of cells that are all alike.
+    std::optional<TargetSizes> sizes;
     /// The power cells of given sites that stay where they are, with max_iterations 0. Excludes a
     /// density, areas, and the stability.
     std::optional<GivenWeights> weights;
     /// Whether the cells are power cells.
-    bool has_weights() const { return areas.has_value() || weights.has_value(); }
+    bool has_weights() const { return sizes.has_value() || weights.has_value(); }
     /// The cells are Voronoi cells, or power cells, in this metric.
     std::optional<Aspect> aspect;
     /// The sites are drawn, and remain, with the symmetry of this plane group; the lattice must fit

@@ -87,8 +87,10 @@ void JobMonitor::begin_optimising() {
 }
 
 std::string JobMonitor::optimising_words() const {
-    if (!job_.areas || job_.run.max_iterations < 0) return "optimising" + note_;
-    if (first_residual_ < 0) return "fitting the areas";
+    if (!job_.sizes || job_.run.max_iterations < 0) return "optimising" + note_;
+    if (first_residual_ < 0) {
+        return job_.is_in_space() ? "fitting the volumes" : "fitting the areas";
+    }
     const int n = job_.run.max_iterations;
     return "centroidal step " + std::to_string(std::min(now_.run.iteration + 1, n)) + " of " +
            std::to_string(n);

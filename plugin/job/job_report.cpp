@@ -117,20 +117,23 @@ void append_weights(JsonWriter& json, const Job& job) {
     });
 }
 
-void append_areas(JsonWriter& json, const Job& job, const RunSummary& summary) {
-    if (!summary.areas) return;
-    const plane::AreaSummary& areas = *summary.areas;
+void append_sizes(JsonWriter& json, const Job& job, const RunSummary& summary) {
+    if (!summary.sizes) return;
+    const SizeSummary& sizes = *summary.sizes;
+    const bool in_space = job.is_in_space();
     const auto largest = [](double a, double b) { return std::max(a, b); };
-    json.object("areas", [&] {
-        json.member("law", job.areas->name);
-        if (areas.scale) json.member("scale", *areas.scale);
-        json.member("std_over_mean", areas.std_over_mean);
-        json.member("largest_relative_error", areas.newton.largest_relative_error);
-        json.member("largest_relative_mesh_error",
-                    best_of_tiles(summary, &plane::TileFigures::area_error, largest));
-        json.member("newton_steps", areas.newton.newton_steps);
-        json.member("circularity_mean", areas.circularity_mean);
-        json.member("circularity_std", areas.circularity_std);
+    json.object(in_space ? "volumes" : "areas", [&] {
+        json.member("law", job.sizes->name);
+        if (sizes.scale) json.member("scale", *sizes.scale);
+        json.member("std_over_mean", sizes.std_over_mean);
+        json.member("largest_relative_error", sizes.newton.largest_relative_error);
+        if (!in_space) {
+            json.member("largest_relative_mesh_error",
+                        best_of_tiles(summary, &plane::TileFigures::area_error, largest));
+        }
+        json.member("newton_steps", sizes.newton.newton_steps);
+        json.member(in_space ? "sphericity_mean" : "circularity_mean", sizes.roundness_mean);
+        json.member(in_space ? "sphericity_std" : "circularity_std", sizes.roundness_std);
     });
 }
 
@@ -234,7 +237,7 @@ void append_choices(JsonWriter& json, const Job& job, const RunSummary& summary)
     }
     append_grains(json, summary);
     append_density(json, job, summary);
-    append_areas(json, job, summary);
+    append_sizes(json, job, summary);
     append_weights(json, job);
     if (job.aspect) {
         json.object("aspect", [&] {

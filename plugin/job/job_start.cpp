@@ -128,8 +128,8 @@ constexpr int kFewestForCoarse = 1000;
 
 /// One for each site, length^2; empty unless the job has areas.
 Eigen::VectorXd target_areas(const Job& job) {
-    if (!job.areas) return {};
-    const auto& [law, given, name] = *job.areas;
+    if (!job.sizes) return {};
+    const auto& [law, given, name] = *job.sizes;
     const int n = job.n_wanted();
     return scaled_areas(given.size() > 0 ? given : draw_areas(law, n, job.seed), n,
                         job.in_plane().lattice.area());
@@ -237,7 +237,7 @@ bool settle(Job& job, Domain& domain) {
     given = std::decay_t<decltype(given)>(given(Eigen::all, kept));
     if (domain.points.cols() == 0) return true;
     if (job.n_sites > 0) job.n_sites = static_cast<int>(kept.size());
-    if (job.areas) keep_entries(kept, n, job.areas->given);
+    if (job.sizes) keep_entries(kept, n, job.sizes->given);
     if (job.weights) keep_entries(kept, n, job.weights->values);
     keep_entries(kept, n, job.materials.site_phases);
     keep_entries(kept, n, job.materials.orientations);
@@ -273,7 +273,7 @@ JobStart job_start(const Job& job, const ProgressCallback& callback) {
     }
     // Given areas and phases belong to random places: numbers by columns would arrange sorted ones.
     const bool given =
-        (job.areas && job.areas->given.size() > 0) || !job.materials.site_phases.empty();
+        (job.sizes && job.sizes->given.size() > 0) || !job.materials.site_phases.empty();
     if (job.n_given() > 0 || given) start.numbering = plane::Numbering::kAsGiven;
     start.areas = std::move(areas);
     return start;
@@ -285,7 +285,7 @@ Start chosen_start(const Job& job) {
     if (!is_free) return Start::kRandom;
     // Where a density jumps, the coarse cells miss detail, and the minima become higher. Coarse
     // cells know nothing of prescribed areas.
-    const bool alike = !job.density && !job.areas;
+    const bool alike = !job.density && !job.sizes;
     // Where mirrors and centres bound an asymmetric unit with few sites, a coarse start may end
     // higher.
     const int order =

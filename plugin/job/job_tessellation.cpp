@@ -36,7 +36,7 @@ plane::Tessellation tessellate(const Job& job, JobStart& start, JobMonitor& moni
     const auto begin = [&built, &first] {
         if (std::exchange(first, false)) built();
     };
-    if (job.areas) {
+    if (job.sizes) {
         run.progress = [&](const Progress& progress) { return monitor.iteration(progress); };
         const auto newton_progress = [&](const SizeFigures& areas) {
             begin();

@@ -207,7 +207,10 @@ FileContent PlaneWorld::content(const Job& job, const std::vector<JobFile>& file
     summary.n_mirrors = cells.counts.n_mirrors;
     summary.valences = side_counts(cells);
     summary.density = cells.density;
-    if (cells.areas) summary.areas = area_summary(cells, job.areas->given);
+    if (cells.areas) {
+        summary.sizes =
+            size_summary(*cells.areas, cells.table(), job.sizes->given, cells.lattice().area());
+    }
     summary.n_orbits = cells.n_orbits();
     if (cells.walled) summary.n_on_walls = cells.walled->n_on_walls;
     summary.interfaces = cells.interfaces;

@@ -10,6 +10,7 @@
 #include "mesher/cells/elastic_choices.hpp"
 #include "mesher/cells/material_choices.hpp"
 #include "mesher/cells/orientations.hpp"
+#include "mesher/cvt/size_summary.hpp"
 #include "mesher/optimize/minimum.hpp"
 #include "mesher/optimize/run_statistics.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
@@ -71,8 +72,8 @@ struct RunSummary {
     std::map<int, int> valences = {};
     /// Figures of the density, if the job has one.
     std::optional<plane::DensityFigures> density = {};
-    /// Figures of the prescribed areas, if the job has them.
-    std::optional<plane::AreaSummary> areas = {};
+    /// Figures of the prescribed areas or volumes, if the job has them.
+    std::optional<SizeSummary> sizes = {};
     /// The number of orbits of sites; 0 without a symmetry.
     int n_orbits = 0;
     /// The number of sites that lie on walls.

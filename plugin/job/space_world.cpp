@@ -8,6 +8,7 @@
 #include "io/formats/space_file_proof.hpp"
 #include "io/run_files/site_writer.hpp"
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "mesher/space/cvt/coarse_start.hpp"
 #include "mesher/space/mesh/cell_faces.hpp"
@@ -57,10 +58,39 @@ space::Points start_points(const Job& job, JobMonitor& monitor, StartFigures& fi
     throw InternalError("no sites in space begin there");
 }
 
-space::Tessellation tessellate(const Job& job, const space::Points& points, const RunOptions& run) {
+/// The target volumes, one a site, length^3.
+Eigen::VectorXd target_volumes(const Job& job) {
+    const auto& [law, given, name] = *job.sizes;
+    const int n = job.n_wanted();
+    return scaled_volumes(given.size() > 0 ? given : draw_volumes(law, n, job.seed), n,
+                          job.in_space().lattice.volume());
+}
+
+/// The centroidal steps of cells with prescribed volumes where the user states none: five make
+/// grains as round as grown ones.
+constexpr int kCentroidalSteps = 5;
+
+space::VolumeCvtOptions volume_options(const Job& job, RunOptions run, JobMonitor& monitor) {
+    if (run.max_iterations < 0) run.max_iterations = kCentroidalSteps;
+    // Volumes of a law belong to no particular site.
+    const bool are_free = job.n_given() == 0 && job.sizes->is_drawn();
+    return {.volumes = target_volumes(job),
+            .by_rank = are_free && run.max_iterations > 0,
+            .run = std::move(run),
+            .newton_progress = [&monitor](const SizeFigures& volumes) {
+                monitor.newton_step(volumes.newton_steps, volumes.largest_relative_error);
+            }};
+}
+
+space::Tessellation tessellate(const Job& job, const space::Points& points, const RunOptions& run,
+                               JobMonitor& monitor) {
     const space::Lattice& lattice = job.in_space().lattice;
     if (job.weights) {
         return space::Tessellation(weighted_cells(lattice, points, job.weights->values, run));
+    }
+    if (job.sizes) {
+        return space::Tessellation(
+            compute_volume_cvt(lattice, points, volume_options(job, run, monitor)));
     }
     return space::Tessellation(compute_cvt(lattice, points, {run}));
 }
@@ -173,7 +203,7 @@ Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor,
         return monitor.iteration(progress);
     };
     watch.stop(&JobSeconds::optimize);
-    space::Tessellation cells = tessellate(job, points, run);
+    space::Tessellation cells = tessellate(job, points, run, monitor);
     watch.stop(&JobSeconds::optimize);
     if (cells.run.stop == Stop::kCancelled) throw Cancelled{};
     MaterialsOfCells of_cells;
@@ -233,6 +263,10 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
     summary.n_sites = delaunay.sites.n_sites();
     summary.energy_bound =
         space::body_centred_energy(job.in_space().lattice.volume(), summary.n_sites);
+    if (computation.cells.volumes) {
+        summary.sizes = size_summary(*computation.cells.volumes, computation.cells.table(),
+                                     job.sizes->given, job.in_space().lattice.volume());
+    }
     summary.valences = built.face_counts;
     summary.polyhedra = built.figures;
     require_closed_boundary(job, files, built.figures.proof);

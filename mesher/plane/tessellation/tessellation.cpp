@@ -1,12 +1,8 @@
 #include "mesher/plane/tessellation/tessellation.hpp"
 
-#include <cmath>
-#include <numeric>
-#include <span>
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/cvt/wall_rounds.hpp"
 #include "mesher/plane/geometry/domain.hpp"
 #include "mesher/plane/mesh/cell_measures.hpp"
@@ -40,10 +36,6 @@ Points plane_sites(const Tessellation& tessellation) {
         points.col(s) = metric.from_round(sites.position(s));
     }
     return points;
-}
-
-double mean(std::span<const double> values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
 }  // namespace
@@ -110,21 +102,6 @@ std::vector<int> cell_sides(const Tessellation& tessellation) {
 
 std::map<int, int> side_counts(const Tessellation& tessellation) {
     return histogram(cell_sides(tessellation));
-}
-
-AreaSummary area_summary(const Tessellation& tessellation, const Eigen::VectorXd& given) {
-    const CellTable& cells = tessellation.table();
-    std::vector<double> circularities;
-    for (SiteId s = 0; s < cells.n_cells(); ++s) circularities.push_back(cells.roundness(s));
-    AreaSummary summary{.newton = *tessellation.areas};
-    summary.circularity_mean = mean(circularities);
-    for (double& c : circularities)
-        c = (c - summary.circularity_mean) * (c - summary.circularity_mean);
-    summary.circularity_std = std::sqrt(mean(circularities));
-    summary.std_over_mean = diameter_spread(Eigen::Map<const Eigen::VectorXd>(
-        cells.measure.data(), static_cast<Eigen::Index>(cells.measure.size())));
-    if (given.size() > 0) summary.scale = area_scale(given, tessellation.lattice().area());
-    return summary;
 }
 
 Eigen::VectorXd site_weights(const Tessellation& tessellation) {

@@ -113,22 +113,6 @@ std::vector<int> cell_sides(const Tessellation& tessellation);
 /// The numbers of cells by their number of sides.
 std::map<int, int> side_counts(const Tessellation& tessellation);
 
-/// The figures of a run with prescribed areas.
-struct AreaSummary {
-    SizeFigures newton;
-    /// The factor that took given areas to the area of the domain; `nullopt` for those of a law.
-    std::optional<double> scale = {};
-    /// Standard deviation over mean of the equivalent diameters.
-    double std_over_mean = 0;
-    /// Mean and standard deviation over the cells (cell_table.hpp).
-    double circularity_mean = 0;
-    double circularity_std = 0;
-};
-
-/// @param given  the areas that scaled_areas() took; empty for those of a law.
-/// @pre the areas are prescribed.
-AreaSummary area_summary(const Tessellation& tessellation, const Eigen::VectorXd& given);
-
 /// The weights of the sites, length^2; empty without areas.
 Eigen::VectorXd site_weights(const Tessellation& tessellation);
 

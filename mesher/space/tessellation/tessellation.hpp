@@ -6,6 +6,7 @@
 
 #include "mesher/cells/cell_table.hpp"
 #include "mesher/space/cvt/cvt.hpp"
+#include "mesher/space/cvt/volume_cvt.hpp"
 #include "mesher/space/cvt/weighted_cells.hpp"
 #include "mesher/space/mesh/cell_complex.hpp"
 
@@ -27,8 +28,16 @@ struct CellCache {
 ///     const PolyhedralMesh mesh = polyhedral_mesh(cells.delaunay.sites, cells.complex());
 struct Tessellation : CvtResult {
     explicit Tessellation(CvtResult&& result) : CvtResult(std::move(result)) {}
+    explicit Tessellation(VolumeCvtResult&& grains)
+        : CvtResult{.delaunay = std::move(grains.delaunay),
+                    .run = grains.run,
+                    .n_rebuilds = grains.n_rebuilds},
+          volumes(grains.volumes) {}
     explicit Tessellation(WeightedCells&& cells)
         : CvtResult{.delaunay = std::move(cells.delaunay), .run = cells.run} {}
+
+    /// Figures of a run with prescribed volumes.
+    std::optional<SizeFigures> volumes = {};
 
     /// The cells. The first call after table() takes the cells from which the table was made. Any
     /// number of threads may call this.

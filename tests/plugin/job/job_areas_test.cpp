@@ -66,7 +66,7 @@ Job some_job(std::uint64_t seed) {
     if (below(random, 3) == 0)
         job.in_plane().points = some_sites(random, job.in_plane().lattice, job.n_sites);
     const int kind = below(random, 3);
-    if (kind != 0) job.areas = some_areas(random, job.n_sites);
+    if (kind != 0) job.sizes = some_areas(random, job.n_sites);
     if (kind != 1) {
         job.aspect = Aspect{.ratio = std::exp(3 * random_number(random) - 1.5),
                             .degrees = 360 * random_number(random)};
@@ -98,7 +98,7 @@ std::vector<double> areas_by_site(const plane::Tile& tile, int n_sites) {
 }
 
 Eigen::VectorXd target_areas(const Job& job) {
-    const auto& [law, given, name] = *job.areas;
+    const auto& [law, given, name] = *job.sizes;
     return scaled_areas(given.size() > 0 ? given : draw_areas(law, job.n_sites, job.seed),
                         job.n_sites, job.in_plane().lattice.area());
 }
@@ -130,9 +130,9 @@ Outcome prove_jobs(std::uint64_t first_seed, std::uint64_t end) {
             const Computation<PlaneWorld> computed = compute_job<PlaneWorld>(job, {}).value();
             for (const plane::BuiltTile& built : proved_tiles(job, computed.cells, monitor)) {
                 ++outcome.n_proved;
-                EXPECT_EQ(built.tile.site_weights.size(), job.areas ? job.n_sites : 0);
+                EXPECT_EQ(built.tile.site_weights.size(), job.sizes ? job.n_sites : 0);
                 EXPECT_EQ(built.tile.metric.is_round(), !job.aspect);
-                if (job.areas && built.figures.kind != plane::MeshKind::kDelaunay)
+                if (job.sizes && built.figures.kind != plane::MeshKind::kDelaunay)
                     expect_areas(job, built);
             }
         } catch (const DuplicateSites&) {
@@ -180,7 +180,7 @@ TEST(JobAreas, CellsHaveTheAreasExactly) {
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
         SCOPED_TRACE(seed);
         const Job job = some_job(seed);
-        if (!job.areas) continue;
+        if (!job.sizes) continue;
         std::optional<Computation<PlaneWorld>> computed;
         try {
             computed = compute_job<PlaneWorld>(job, {});
@@ -252,7 +252,7 @@ TEST(JobAreas, SitesOfAFileKeepTheirNumbersAndPlaces) {
     job.in_plane().lattice = plane::Lattice({2, 0}, {0.7, 1});
     job.n_sites = 50;
     job.in_plane().points = uniform_points(job.in_plane().lattice, 50, 3);
-    job.areas = TargetSizes{.given = Eigen::VectorXd::LinSpaced(50, 1, 3), .name = "areas.txt"};
+    job.sizes = TargetSizes{.given = Eigen::VectorXd::LinSpaced(50, 1, 3), .name = "areas.txt"};
     job.aspect = Aspect{.ratio = 2, .degrees = 30};
     job.run.max_iterations = 0;
     const Computation<PlaneWorld> computed = compute_job<PlaneWorld>(job, {}).value();
@@ -270,7 +270,7 @@ TEST(JobAreas, SitesOfAFileKeepTheirNumbersAndPlaces) {
 TEST(JobAreas, SortedAreasOfAFileLieAtRandom) {
     Job job;
     job.n_sites = 400;
-    job.areas = TargetSizes{.given = Eigen::VectorXd::LinSpaced(400, 1, 9), .name = "areas.txt"};
+    job.sizes = TargetSizes{.given = Eigen::VectorXd::LinSpaced(400, 1, 9), .name = "areas.txt"};
     job.run.max_iterations = 0;
     const plane::Points sites =
         wrapped_sites(compute_job<PlaneWorld>(job, {}).value().cells, job.in_plane().origin);
@@ -303,7 +303,7 @@ TEST(JobAreas, ProgressNamesTheStepsAndRises) {
     for (const int steps : {-1, 0, 3}) {
         Job job;
         job.n_sites = 200;
-        job.areas = TargetSizes{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+        job.sizes = TargetSizes{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
         job.run.max_iterations = steps;
         job.run.tolerance = 1e-3;
         std::string words;
@@ -329,7 +329,7 @@ TEST(JobAreas, ProgressNamesTheStepsAndRises) {
 TEST(JobAreas, AnyCallOfTheCallbackCancels) {
     Job job;
     job.n_sites = 100;
-    job.areas = TargetSizes{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+    job.sizes = TargetSizes{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
     job.run.max_iterations = 2;
     for (int last = 0; last < 12; ++last) {
         int n_calls = 0;
@@ -345,7 +345,7 @@ TEST(JobAreas, SitesOfTheReportsAreThoseOfTheFiles) {
     job.n_sites = 30;
     job.in_plane().lattice = plane::Lattice({1, 0}, {0.4, 0.9});
     job.aspect = Aspect{.ratio = 3, .degrees = 110};
-    job.areas = TargetSizes{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
+    job.sizes = TargetSizes{.law = parse_area_law("gamma:0.4"), .name = "gamma:0.4"};
     job.run.max_iterations = 1;
     job.in_plane().origin = {3, -2};
     job.meshes = {plane::MeshKind::kVoronoi, plane::MeshKind::kGrains};

@@ -160,7 +160,7 @@ TEST(Cancelling, SlowIsNoticedWithDensities) {
 TEST(Cancelling, IsNoticedWhileAreasAreFitted) {
     const TemporaryFolder folder;
     Job job = job_of(kSites, 1, folder, {"t.svg", "t.csv"});
-    job.areas = TargetSizes{.law = parse_area_law("lognormal:0.42"), .name = "lognormal:0.42"};
+    job.sizes = TargetSizes{.law = parse_area_law("lognormal:0.42"), .name = "lognormal:0.42"};
     job.aspect = Aspect{.ratio = 2, .degrees = 30};
     expect_short_pauses(job);
 }
