@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/workers.hpp"

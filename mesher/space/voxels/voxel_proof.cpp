@@ -1,6 +1,7 @@
 #include "mesher/space/voxels/voxel_proof.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
