@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "mesher/base/law_violation.hpp"
@@ -104,6 +105,23 @@ TEST(VoxelProofInSpace, NeedsTheCornerThePeriodsAndTheWeights) {
     EXPECT_EQ(refuted(bad), "");
     bad.cells.weights[7] = 0.02;
     EXPECT_THAT(refuted(bad), HasSubstr("but its centre lies in cell 7"));
+}
+
+/// Lattices that are not boxes, but have a sublattice that is.
+TEST(VoxelProofInSpace, HoldsForBoxesOfSeveralDomains) {
+    const double side = std::sqrt(3.0);
+    const std::vector<std::pair<Lattice, Lattice>> pairs{
+        {Lattice({0, 1, 1}, {1, 0, 1}, {1, 1, 0}), Lattice::box(2, 2, 2)},
+        {Lattice({1, 0, 0}, {0.5, side / 2, 0}, {0, 0, 1.6}), Lattice::box(1, side, 1.6)},
+        {Lattice({0.1, 0.1, 0}, {0, 0.2, 0}, {0, 0, 3}), Lattice::box(0.4, 0.6, 3)}};
+    for (const auto& [lattice, box] : pairs) {
+        for (const int n : {1, 2, 7, 50}) {
+            const auto delaunay = periodic_delaunay(Sites(lattice, uniform_points(lattice, n, 3)));
+            const VoxelGrid grid = voxel_grid(box, {0.3, -2, 7}, {20, 15, 24});
+            const VoxelCells cells{.lattice = lattice, .sites = delaunay.sites.positions()};
+            EXPECT_NO_THROW(prove_voxels(voxel_image(delaunay, {}, grid, 1), cells)) << n;
+        }
+    }
 }
 
 /// Positions in files are rounded where the origin is far.
