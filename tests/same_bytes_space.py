@@ -190,7 +190,7 @@ PLANE_OPTIONS = (
     "--budget 5", "--float32",
     "--inclusions s.txt", "--fibres 0.2,3", "--hole fibre", "--fixed f.txt", "--retry 3", "--size 0.1", "--per-edge 2",
     "--order 2", "--glb-nodes one", "--pixels 64", "--cut 100", "--background none", "--colour size", "--element CPS",
-    "--job elastic", "--voxels 8,8", "--thickness 0.1")
+    "--job elastic", "--thickness 0.1")
 ERRORS = {
     "space-errors-options": [f"2: mesh --sites 8 {CUBE} {option}" for option in PLANE_OPTIONS],
     "space-errors-choices": [f"2: mesh --sites 8 {CUBE} {option}" for option in (

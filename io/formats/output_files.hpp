@@ -41,6 +41,8 @@ struct SpaceRequest {
     double short_edges = 0;
     /// 0: not known yet.
     int n_sites = 0;
+    /// As FileOptions::voxels.
+    VoxelCounts voxels = {};
 };
 
 using OutputRequest = std::variant<RunRequest, SpaceRequest>;

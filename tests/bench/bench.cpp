@@ -25,6 +25,7 @@ void add_cases() {
         add_area_cases({"unit", plane::Lattice::rectangle(1, 1), n});
     }
     for (const int n : {10'000, 100'000}) add_space_cases(n);
+    for (const int n : {1000, 10'000}) add_voxel_case(n);
     add_single_cases();
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "mesher/space/delaunay/power_distance.hpp"
 #include "mesher/space/geometry/wide_integer.hpp"
 
 namespace pcvt::space {
@@ -229,6 +230,31 @@ Vec3 exact_circumcentre(const Gram& gram, const std::array<Vec3, 3>& d) {
     const double twice_det = 2 * determinant(e[0], e[1], e[2]).rounded();
     const auto quotient = [&](int k) { return std::ldexp(sum[k].rounded() / twice_det, -110); };
     return divided(gram, {quotient(0), quotient(1), quotient(2)});
+}
+
+namespace {
+
+/// A weight times 2^160, a multiple of 2^60: it has at most 53 digits.
+SquaredLength weight_integer(double weight) {
+    int exponent = 0;
+    const double mantissa = std::frexp(weight, &exponent);
+    const int shift = std::max(exponent - 53 + 100, 0);
+    SquaredLength digits(static_cast<std::int64_t>(std::ldexp(mantissa, exponent + 100 - shift)));
+    for (int left = shift + 60; left > 0; left -= 60) {
+        digits = digits * SquaredLength(std::int64_t{1} << std::min(left, 60));
+    }
+    return digits;
+}
+
+SquaredLength exact_power_distance(const Gram& gram, const SeenImage& image) {
+    const Vec3& d = image.displacement;
+    return squared_length(gram, {d.x(), d.y(), d.z()}) - weight_integer(image.weight);
+}
+
+}  // namespace
+
+int compare_power_distances(const Gram& gram, const SeenImage& p, const SeenImage& q) {
+    return (exact_power_distance(gram, p) - exact_power_distance(gram, q)).sign();
 }
 
 }  // namespace pcvt::space
