@@ -127,7 +127,7 @@ SPACE_C = {
         "write.outline=1 write t.vtu", "write.colour=1 write t.vtu",
         "write.gltf_nodes=2 write t.glb", "write.single_precision=1 write t.ply", "write.pixels=64 write t.png",
         "write.element=1 write t.vtu", "write.cut_width=100 write t.svg", "write.background=none write t.svg",
-        "write.voxels=16,16 write t.vtu", "write.job=1 write t.vtu", "write.thickness=0.1 write t.foam",
+        "write.job=1 write t.vtu", "write.thickness=0.1 write t.foam",
         "write.surface=2 write t.obj", "write.surface=1 write t.vtu", "write.struct_size=8 write t.vtu",
         "write s.vtu write s.vtu", "write.replace=1 write s.vtu"))), Host(f"{SPACE} n_sites=3 generate misuse"),
         Host(f"{SPACE} n_sites=38 start=3 generate write flat.msh")],
