@@ -491,9 +491,11 @@ typedef struct pcvt_write_options {
     double cut_width;       /**< .svg and .dxf with only lines to cut, of a tile with this width in
                                millimetres [0: a picture as .svg, .dxf in the unit of the periods] */
     const char* background; /**< of .svg, "#rrggbb" or "none" [NULL: none] */
-    int32_t voxels[2];      /**< of .vti, along x and y [0, 0: about 16 along h] */
+    int32_t voxels[2];      /**< of .vti, along x and y [0, 0: about 16 along h, in three
+                               dimensions along z, too] */
     int32_t job;            /**< of .inp: PCVT_JOB_... [PCVT_JOB_NONE] */
-    int32_t voxel_layers;   /**< of .vti: equal layers along z [0: 1] */
+    int32_t voxel_layers;   /**< of .vti: equal layers along z [0: 1]; in three dimensions the
+                               voxels along z, 2 or more beside `voxels` [0 with voxels 0, 0] */
     double thickness; /**< of .foam: height of the layer of cells along z [0: sqrt(area / faces)] */
     int32_t surface;  /**< PCVT_SURFACE_..., only in three dimensions [PCVT_SURFACE_CELLS] */
     int32_t reserved2;

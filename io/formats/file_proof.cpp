@@ -167,7 +167,7 @@ void prove_voxel_files(const Format& format, const std::vector<EncodedFile>& fil
                        const CellMaterials& materials) {
     try {
         const VoxelFile file = std::get<VoxelReader*>(format.read)(files);
-        const plane::VoxelProof proof = prove_voxel_file(files, file);
+        const VoxelProof proof = prove_voxel_file(files, file);
         compare_damask_material(files[1].path, file.materials.value(), proof.n_cells, materials);
     } catch (const InvalidInput& error) {
         throw InternalError(files.front().path + " breaks a law of voxels: " + error.what());

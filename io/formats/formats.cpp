@@ -199,14 +199,20 @@ constexpr std::array<Format, 17> kFormats{{
      .takes = {.coriolis = true},
      .memory = {5400, 0, 0}},
     {.extension = ".vti",
-     .description =
-         "cells as voxels of a rectangle for DAMASK, VTK image data, with .material.yaml beside it",
+     .description = "cells as voxels of a rectangle or a box for DAMASK, VTK image data, with "
+                    ".material.yaml beside it",
      .write = encode_vti,
      .read = decode_vti,
      .paths = vti_paths,
      .check = plane_rows::require_voxel_grid,
      .takes = {.voxels = true, .constants = true, .phases = true, .orientations = true},
-     .memory = {440, 0, 0}},
+     .memory = {440, 0, 0},
+     .space =
+         SpaceFormat{
+             .memory = 5700,
+             .takes = {.voxels = true, .constants = true, .phases = true, .orientations = true},
+             .paths = vti_paths,
+             .encode_voxels = encode_space_vti}},
     {.extension = ".csv",
      .description = "a table of the cells, one row a site",
      .write = plane_rows::write_cells,
@@ -248,6 +254,13 @@ plane::VoxelCounts requested_voxels(const FormatRequest& request) {
         counts.z = request.files.voxels.z;
     }
     voxel_grid(request.lattice, {0, 0}, counts);
+    return counts;
+}
+
+VoxelCounts requested_voxels(const space::Lattice& lattice, double n_sites, VoxelCounts counts) {
+    // Layers without voxels along x and y are no default.
+    if (counts == VoxelCounts{}) counts = default_voxels(lattice, n_sites);
+    voxel_grid(lattice, {0, 0, 0}, counts);
     return counts;
 }
 

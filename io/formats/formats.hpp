@@ -80,6 +80,10 @@ struct FormatRequest {
 /// The voxels of a request, or the default.
 /// @throws InvalidInput, LimitExceeded as voxel_grid() does.
 plane::VoxelCounts requested_voxels(const FormatRequest& request);
+/// The same in space.
+/// @param counts  those of FileOptions.
+/// @throws InvalidInput, LimitExceeded as space::voxel_grid() does.
+VoxelCounts requested_voxels(const space::Lattice& lattice, double n_sites, VoxelCounts counts);
 
 /// Bytes of a run that writes one file of a format: a site for cells, the whole torus, or no mesh
 /// at all; a Delaunay triangle; and a triangle of grains. Measured at 5e4 to 1e7 sites.

@@ -142,6 +142,10 @@ void add_files(const std::string& path, const SpaceRequest& run, std::vector<Out
                            weight_extensions());
     }
     if (format.is_single_precision) naming_path(path, [&] { require_precision(run); });
+    if (format.space->takes.voxels) {
+        naming_path(path,
+                    [&] { requested_voxels(run.lattice, std::max(run.n_sites, 1), run.voxels); });
+    }
     files.push_back({.paths = format.space->paths(path),
                      .format = &format,
                      .folder = format.is_folder ? path : std::string()});

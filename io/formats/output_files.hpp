@@ -43,6 +43,8 @@ struct SpaceRequest {
     int n_sites = 0;
     /// Whether the cells are power cells.
     bool has_weights = false;
+    /// As FileOptions::voxels.
+    VoxelCounts voxels = {};
 };
 
 using OutputRequest = std::variant<RunRequest, SpaceRequest>;

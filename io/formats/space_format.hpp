@@ -9,6 +9,7 @@
 #include "io/formats/format_choices.hpp"
 #include "io/forms/space_tile.hpp"
 #include "io/forms/surface_list.hpp"
+#include "io/voxels/vti_writer.hpp"
 #include "mesher/plane/mesh/mesh_kind.hpp"
 #include "mesher/space/mesh/tetrahedral_mesh.hpp"
 
@@ -25,7 +26,15 @@ enum class FormatSurfaces { kNone, kChosen, kBoundary };
 /// The list of only `path`.
 std::vector<std::string> single_path(const std::string& path);
 
-/// The part of a tile in space that a format holds: volumes, their surfaces, or their sites.
+/// Writes the cells as voxels, with the phases, orientations and elastic constants of the cells.
+using SpaceVoxelWriter = std::vector<EncodedFile>(const space::VoxelImage& image,
+                                                  const space::VoxelCells& cells,
+                                                  const CellMaterials& materials,
+                                                  const ElasticChoices& elastic,
+                                                  const std::string& path);
+
+/// The part of a tile in space that a format holds: volumes, their surfaces, their sites, or their
+/// voxels.
 struct SpaceFormat {
     FormatSurfaces surfaces = FormatSurfaces::kNone;
     /// The memory of a run that writes one such file, bytes a site. Measured at 2e4 to 5e5 random
@@ -36,13 +45,16 @@ struct SpaceFormat {
     FormatChoices takes = {};
     /// The files of the output with this path, which encode() returns in this order.
     std::vector<std::string> (*paths)(const std::string& path) = single_path;
-    /// Encodes a tile of polyhedra, and of tetrahedra; both null: the file holds only the sites.
+    /// Encodes a tile of polyhedra, and of tetrahedra; both null: the file holds the sites,
+    /// a table of the cells, or voxels.
     std::vector<EncodedFile> (*encode)(const SpaceTile& tile, SurfaceForm surfaces,
                                        const std::string& path) = nullptr;
     std::vector<EncodedFile> (*encode_tetrahedra)(const space::TetrahedralMesh& mesh,
                                                   const std::string& path) = nullptr;
+    /// Encodes the cells as voxels of a box; null: the format holds none.
+    SpaceVoxelWriter* encode_voxels = nullptr;
     /// Returns the kind of files of this extension, as `pcvt check` reads them; nothing if they do
-    /// not hold a tile in space. Null for pictures and sites.
+    /// not hold a tile in space. Null for pictures, sites, tables and voxels.
     std::optional<SpaceFileKind> (*kind)(const std::vector<EncodedFile>& files) = nullptr;
     /// Reads tetrahedra, and compares all other statements of the file with the values that follow
     /// from them. Set if and only if encode_tetrahedra is set.

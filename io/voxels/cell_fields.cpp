@@ -11,13 +11,14 @@ namespace {
 
 constexpr std::string_view kFieldBlanks = " \t\r\n";
 
-/// The arrays, with the numbers of a tuple.
+/// The arrays, with the numbers of a tuple in the plane and in space.
 struct FieldForm {
     std::string_view name;
     int width;
+    int width_in_space;
 };
 constexpr std::array<FieldForm, 4> kForms{
-    {{"PeriodicLattice", 2}, {"SitePositions", 2}, {"SiteWeights", 1}, {"Metric", 2}}};
+    {{"PeriodicLattice", 2, 3}, {"SitePositions", 2, 3}, {"SiteWeights", 1, 1}, {"Metric", 2, 2}}};
 
 constexpr const char* kRemedy = "write the file again with pcvt";
 
@@ -33,14 +34,14 @@ bool CellFields::begin(const XmlScanner& scanner) {
     if (format == "binary" || format == "appended") return false;
     const std::optional<double> n_tuples = number_attribute(scanner, "NumberOfTuples");
     const double width = number_attribute(scanner, "NumberOfComponents").value_or(1);
-    if (format != "ascii" || scanner.attribute("type") != "Float64" || width != row->width ||
-        !n_tuples) {
+    const bool has_width = width == row->width || width == row->width_in_space;
+    if (format != "ascii" || scanner.attribute("type") != "Float64" || !has_width || !n_tuples) {
         scanner.throw_bad_file(
             scanner.line(),
             "the array " + name + " has not the type, format or size of its kind; " + kRemedy);
     }
     const auto [field, is_new] =
-        fields_.emplace(name, Field{scanner.line(), *n_tuples * width, {}});
+        fields_.emplace(name, Field{scanner.line(), width, *n_tuples * width, {}});
     if (!is_new) {
         scanner.throw_bad_file(scanner.line(), "the array " + name + " is there twice; remove one");
     }
@@ -74,25 +75,66 @@ std::vector<double> CellFields::numbers(const std::string& file, const std::stri
     return values;
 }
 
-plane::VoxelCells CellFields::cells(const std::string& file) const {
-    const std::vector<double> lattice = numbers(file, "PeriodicLattice");
-    const std::vector<double> sites = numbers(file, "SitePositions");
-    const std::vector<double> weights = numbers(file, "SiteWeights");
-    const std::vector<double> metric = numbers(file, "Metric");
-    if (lattice.empty() || sites.empty()) {
+bool CellFields::are_in_space() const {
+    return std::any_of(fields_.begin(), fields_.end(),
+                       [](const auto& named) { return named.second.width == 3; });
+}
+
+CellFields::Numbers CellFields::all_numbers(const std::string& file, std::size_t dimension) const {
+    Numbers all{.lattice = numbers(file, "PeriodicLattice"),
+                .sites = numbers(file, "SitePositions"),
+                .weights = numbers(file, "SiteWeights"),
+                .metric = numbers(file, "Metric")};
+    if (all.lattice.empty() || all.sites.empty()) {
         throw BadFile(file + ": has not both of the arrays PeriodicLattice and SitePositions; " +
                       kRemedy + ", or remove the arrays of the sites");
     }
-    if (lattice.size() != 4) {
-        refuse(file, "PeriodicLattice", "the lattice has not two vectors; correct it");
+    const auto width = static_cast<double>(dimension);
+    for (const char* const name : {"PeriodicLattice", "SitePositions"}) {
+        if (fields_.at(name).width == width) continue;
+        refuse(file, name,
+               "the lattice and the sites have not equally many coordinates; correct "
+               "them");
     }
+    if (all.lattice.size() != dimension * dimension) {
+        refuse(file, "PeriodicLattice",
+               std::string("the lattice has not ") + (dimension == 2 ? "two" : "three") +
+                   " vectors; correct it");
+    }
+    if (!all.weights.empty() && all.weights.size() != all.sites.size() / dimension) {
+        refuse(file, "SiteWeights", "there is not one weight a site; correct them");
+    }
+    return all;
+}
+
+space::VoxelCells CellFields::cells_in_space(const std::string& file) const {
+    const auto [lattice, sites, weights, metric] = all_numbers(file, 3);
+    if (!metric.empty()) {
+        refuse(file, "Metric", "cells in space have no metric of two numbers; remove it");
+    }
+    const auto n = static_cast<Eigen::Index>(sites.size() / 3);
+    try {
+        const space::Lattice periods({lattice[0], lattice[1], lattice[2]},
+                                     {lattice[3], lattice[4], lattice[5]},
+                                     {lattice[6], lattice[7], lattice[8]});
+        const space::Points points = Eigen::Map<const space::Points>(sites.data(), 3, n);
+        // Refuses too many sites, and sites that coincide or lie too far away.
+        const space::Sites checked(periods, points);
+        return {.lattice = periods,
+                .sites = points,
+                .weights = Eigen::Map<const Eigen::VectorXd>(weights.data(),
+                                                             Eigen::Index(weights.size()))};
+    } catch (const InvalidInput& fault) {
+        refuse(file, "SitePositions", fault.what());
+    }
+}
+
+plane::VoxelCells CellFields::cells(const std::string& file) const {
+    const auto [lattice, sites, weights, metric] = all_numbers(file, 2);
     if (!metric.empty() && metric.size() != 2) {
         refuse(file, "Metric", "the metric has not a ratio and an angle; correct it");
     }
     const auto n = static_cast<Eigen::Index>(sites.size() / 2);
-    if (!weights.empty() && static_cast<Eigen::Index>(weights.size()) != n) {
-        refuse(file, "SiteWeights", "there is not one weight a site; correct them");
-    }
     try {
         const plane::Lattice periods({lattice[0], lattice[1]}, {lattice[2], lattice[3]});
         const plane::Points points = Eigen::Map<const plane::Points>(sites.data(), 2, n);

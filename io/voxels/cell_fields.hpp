@@ -8,12 +8,13 @@
 
 #include "io/bytes/xml_scanner.hpp"
 #include "mesher/plane/voxels/voxel_proof.hpp"
+#include "mesher/space/voxels/voxel_proof.hpp"
 
 namespace pcvt {
 
 /// The arrays of the field data of a voxel image that hold the sites of its cells:
-/// PeriodicLattice and SitePositions, and where they differ from the default, SiteWeights and
-/// Metric.
+/// PeriodicLattice and SitePositions, with two or three numbers a tuple, and where they differ from
+/// the default, SiteWeights and, in the plane, Metric.
 ///
 /// Example usage:
 ///     CellFields fields;
@@ -29,17 +30,30 @@ class CellFields {
     void end(std::string_view text) { last_->text = text; }
 
     bool empty() const { return fields_.empty(); }
+    /// Whether the sites have three coordinates.
+    bool are_in_space() const;
     /// @param file  its name in messages.
+    /// @pre are_in_space() for the second.
     /// @throws BadFile if an array is missing, or has not the numbers that its tag states.
     plane::VoxelCells cells(const std::string& file) const;
+    space::VoxelCells cells_in_space(const std::string& file) const;
 
    private:
     struct Field {
         int line;
-        /// As its tag states it.
+        /// As its tag states them.
+        double width;
         double n_numbers;
         std::string_view text;
     };
+    /// The numbers of all arrays, those of some may be missing.
+    struct Numbers {
+        std::vector<double> lattice;
+        std::vector<double> sites;
+        std::vector<double> weights;
+        std::vector<double> metric;
+    };
+    Numbers all_numbers(const std::string& file, std::size_t dimension) const;
     std::vector<double> numbers(const std::string& file, const std::string& name) const;
     [[noreturn]] void refuse(const std::string& file, const std::string& name,
                              const std::string& complaint) const;

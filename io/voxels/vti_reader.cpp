@@ -39,12 +39,12 @@ class VtiFile {
                 section_ = std::string(scanner_.element());
             }
         }
-        if (!has_grid_ || file_.image.site.empty()) {
+        if (!has_grid_ || labels_.empty()) {
             throw BadFile(scanner_.name() +
                           ": lacks the array material of the cells of an image; "
                           "export the file with it");
         }
-        take_cells();
+        take_image();
         return std::move(file_);
     }
 
@@ -96,13 +96,14 @@ class VtiFile {
         if (extent[0] != 0 || extent[2] != 0 || extent[4] != 0) {
             refuse("the extent does not begin at 0; export it so");
         }
-        plane::VoxelGrid& grid = file_.image.grid;
+        space::VoxelGrid& grid = grid_;
         grid.counts = {count(extent[1]), count(extent[3]), count(extent[5])};
-        if (double(grid.counts.x) * grid.counts.y * grid.counts.z > plane::kMostVoxels) {
+        if (double(grid.counts.x) * grid.counts.y * grid.counts.z > kMostVoxels) {
             refuse("there are more than 2^28 voxels; give a smaller image");
         }
-        grid.corner = {origin[0], origin[1]};
-        grid.size = {spacing[0] * grid.counts.x, spacing[1] * grid.counts.y};
+        grid.corner = {origin[0], origin[1], origin[2]};
+        grid.size = {spacing[0] * grid.counts.x, spacing[1] * grid.counts.y,
+                     spacing[2] * grid.counts.z};
         // The range of period vectors.
         for (const double size : {grid.size.x(), grid.size.y()}) {
             if (size >= 1e-60 && size <= 1e60) continue;
@@ -122,8 +123,7 @@ class VtiFile {
     }
 
     int count(double number) const {
-        if (number >= 1 && number <= plane::kMostVoxelsOfARow &&
-            number == static_cast<int>(number)) {
+        if (number >= 1 && number <= kMostVoxelsOfARow && number == static_cast<int>(number)) {
             return static_cast<int>(number);
         }
         refuse("the extent is not one of voxels from 1 to 2^20; correct it");
@@ -156,58 +156,91 @@ class VtiFile {
     }
 
     void require_material_form(std::string_view type) const {
-        if (!has_piece_ || !file_.image.site.empty()) {
+        if (!has_piece_ || !labels_.empty()) {
             refuse("the array material is there twice, or outside of the piece; correct it");
         }
         if (scanner_.attribute("format") != "binary" || (type != "Int32" && type != "Int64")) {
             refuse("the array material is not Int32 or Int64 in binary form, inline; export it so");
         }
-        const auto n_voxels = static_cast<double>(n_in_all_layers());
+        const auto n_voxels = static_cast<double>(grid_.n_voxels());
         if (number_attribute(scanner_, "NumberOfComponents").value_or(1) != 1 ||
             number_attribute(scanner_, "NumberOfTuples").value_or(n_voxels) != n_voxels) {
             refuse("the array material states another size than one number a voxel; correct it");
         }
     }
 
-    std::size_t n_in_all_layers() const {
-        const plane::VoxelGrid& grid = file_.image.grid;
-        return grid.n_voxels() * static_cast<std::size_t>(grid.counts.z);
-    }
+    /// The number of voxels in a layer along x and y.
+    std::size_t n_in_layer() const { return grid_.n_voxels() / grid_.counts.z; }
 
-    /// Requires that all layers are equal.
+    /// The first layer along z that is not equal to the first; 0 if all are equal.
     /// @param bytes  of all layers, `n_bytes` each.
-    void require_equal_layers(std::string_view bytes, std::size_t n_bytes, int line) const {
+    static std::size_t other_layer(std::string_view bytes, std::size_t n_bytes) {
         const std::string_view first = bytes.substr(0, n_bytes);
         for (std::size_t begin = n_bytes; begin < bytes.size(); begin += n_bytes) {
             checkpoint();
-            if (bytes.substr(begin, n_bytes) == first) continue;
-            scanner_.throw_bad_file(
-                line, "layer " + std::to_string(begin / n_bytes) +
-                          " along z is not equal to layer 0; give an image of the plane");
+            if (bytes.substr(begin, n_bytes) != first) return begin / n_bytes;
         }
+        return 0;
     }
 
     void read_material(std::string_view text, std::size_t width, int line) {
-        const std::size_t n_bytes = file_.image.grid.n_voxels() * width;
         std::string bytes;
-        if (!decode_vtk_array(text, form_, n_in_all_layers() * width, bytes)) {
+        if (!decode_vtk_array(text, form_, grid_.n_voxels() * width, bytes)) {
             scanner_.throw_bad_file(line,
                                     "the array material is damaged, or has not one number a "
                                     "voxel; write the file again");
         }
-        require_equal_layers(bytes, n_bytes, line);
-        file_.image.site.reserve(file_.image.grid.n_voxels());
-        for (std::size_t k = 0; k < n_bytes; k += width) {
+        const std::size_t n_bytes = n_in_layer() * width;
+        other_layer_ = other_layer(bytes, n_bytes);
+        material_line_ = line;
+        // Equal layers are held once.
+        if (other_layer_ == 0) bytes.resize(n_bytes);
+        labels_.reserve(bytes.size() / width);
+        for (std::size_t k = 0; k < bytes.size(); k += width) {
             checkpoint_each(static_cast<long>(k));
             const auto value =
                 static_cast<std::int64_t>(little_endian(std::string_view(bytes).substr(k, width)));
             // In 32 bits, the highest bit is the sign.
             const bool fits = width == 4 || (value >= 0 && value <= plane::kMostSites);
-            file_.image.site.push_back(fits ? static_cast<std::int32_t>(value) : -1);
+            labels_.push_back(fits ? static_cast<std::int32_t>(value) : -1);
         }
     }
 
-    void take_cells() {
+    /// Takes the image as one of the plane or of space, with its cells.
+    void take_image() {
+        const bool is_in_space = fields_.empty() ? other_layer_ > 0 : fields_.are_in_space();
+        if (is_in_space) {
+            take_image_of_space();
+        } else {
+            take_image_of_plane();
+        }
+    }
+
+    void take_image_of_space() {
+        const double thickness = grid_.size.z();
+        if (!(thickness >= 1e-60 && thickness <= 1e60)) {
+            scanner_.throw_bad_file(grid_line_,
+                                    "the spacing is not positive, or out of range; correct it");
+        }
+        if (other_layer_ == 0) {
+            const std::size_t n = labels_.size();
+            labels_.reserve(grid_.n_voxels());
+            for (std::size_t k = n; k < grid_.n_voxels(); ++k) labels_.push_back(labels_[k - n]);
+        }
+        file_.space = SpaceVoxels{.image = {.grid = grid_, .site = std::move(labels_)}};
+        if (!fields_.empty()) file_.space->cells = fields_.cells_in_space(scanner_.name());
+    }
+
+    void take_image_of_plane() {
+        if (other_layer_ > 0) {
+            scanner_.throw_bad_file(
+                material_line_, "layer " + std::to_string(other_layer_) +
+                                    " along z is not equal to layer 0; give an image of the plane");
+        }
+        file_.image = {.grid = {.corner = grid_.corner.head<2>(),
+                                .size = grid_.size.head<2>(),
+                                .counts = grid_.counts},
+                       .site = std::move(labels_)};
         if (fields_.empty()) return;
         if (!is_plain_layer_) {
             scanner_.throw_bad_file(grid_line_,
@@ -223,6 +256,12 @@ class VtiFile {
     CellFields fields_;
     VoxelFile file_ = {};
     VtkArrayForm form_;
+    space::VoxelGrid grid_ = {};
+    /// The sites of the voxels of all layers, or of one if they are equal.
+    std::vector<SiteId> labels_;
+    /// As other_layer().
+    std::size_t other_layer_ = 0;
+    int material_line_ = 1;
     /// The layer lies at z = 0 and is as thick as a voxel is wide.
     bool is_plain_layer_ = false;
     int grid_line_ = 1;
@@ -242,19 +281,31 @@ VoxelFile decode_vti(const std::vector<EncodedFile>& files) {
     return file;
 }
 
-plane::VoxelProof prove_voxel_file(const std::vector<EncodedFile>& files, const VoxelFile& file) {
-    const SiteId most = *std::max_element(file.image.site.begin(), file.image.site.end());
-    const int n_cells = file.cells       ? file.cells->n_cells()
+namespace {
+
+/// Proves the voxels of the plane or of space.
+template <class Image, class Cells>
+VoxelProof prove_image(const std::vector<EncodedFile>& files, const VoxelFile& file,
+                       const Image& image, const std::optional<Cells>& cells) {
+    const SiteId most = *std::max_element(image.site.begin(), image.site.end());
+    const int n_cells = cells            ? cells->n_cells()
                         : file.materials ? static_cast<int>(file.materials->size())
                                          : most + 1;
-    if (!file.cells) require_voxel_ids(file.image, n_cells);
+    if (!cells) require_voxel_ids(image, n_cells);
     if (file.materials && static_cast<int>(file.materials->size()) != n_cells) {
         throw BadFile(files[1].path + ": has " + std::to_string(file.materials->size()) +
                       " materials, but there are " + std::to_string(n_cells) +
                       " cells; write the file again with pcvt");
     }
-    if (file.cells) return prove_voxels(file.image, *file.cells);
-    return {.n_cells = n_cells, .unseen = unseen_cells(file.image, n_cells), .largest_excess = 0};
+    if (cells) return prove_voxels(image, *cells);
+    return {.n_cells = n_cells, .unseen = unseen_cells(image.site, n_cells), .largest_excess = 0};
+}
+
+}  // namespace
+
+VoxelProof prove_voxel_file(const std::vector<EncodedFile>& files, const VoxelFile& file) {
+    if (file.space) return prove_image(files, file, file.space->image, file.space->cells);
+    return prove_image(files, file, file.image, file.cells);
 }
 
 }  // namespace pcvt

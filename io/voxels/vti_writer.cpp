@@ -1,6 +1,7 @@
 #include "io/voxels/vti_writer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 
@@ -70,26 +71,62 @@ void append_array(std::string& text, const char* name, int width,
     text += "</DataArray>\n";
 }
 
-void append_field_data(std::string& text, const plane::VoxelCells& cells) {
+template <class Points>
+std::vector<double> all_of(const Points& points) {
+    return {points.data(), points.data() + points.size()};
+}
+
+/// Appends the arrays by which a file states its cells.
+void append_cells(std::string& text, const plane::VoxelCells& cells) {
     const plane::Vec2& a = cells.lattice.a();
     const plane::Vec2& b = cells.lattice.b();
-    text += "<FieldData>\n";
     append_array(text, "PeriodicLattice", 2, {a.x(), a.y(), b.x(), b.y()});
-    append_array(text, "SitePositions", 2,
-                 {cells.sites.data(), cells.sites.data() + cells.sites.size()});
-    if (cells.weights.size() > 0) {
-        append_array(text, "SiteWeights", 1,
-                     {cells.weights.data(), cells.weights.data() + cells.weights.size()});
-    }
+    append_array(text, "SitePositions", 2, all_of(cells.sites));
+    if (cells.weights.size() > 0) append_array(text, "SiteWeights", 1, all_of(cells.weights));
     if (!cells.metric.is_round()) {
         append_array(text, "Metric", 2, {cells.metric.ratio(), cells.metric.degrees()});
     }
-    text += "</FieldData>\n";
 }
 
-std::string encode_image(const plane::VoxelImage& image, const plane::VoxelCells& cells) {
-    const plane::VoxelGrid& grid = image.grid;
+void append_cells(std::string& text, const space::VoxelCells& cells) {
+    std::vector<double> lattice;
+    for (const space::Vec3& period : cells.lattice.periods()) {
+        lattice.insert(lattice.end(), period.begin(), period.end());
+    }
+    append_array(text, "PeriodicLattice", 3, lattice);
+    append_array(text, "SitePositions", 3, all_of(cells.sites));
+    if (cells.weights.size() > 0) append_array(text, "SiteWeights", 1, all_of(cells.weights));
+}
+
+/// The place of the voxels of an image, as the tag of an image states it.
+struct StatedGrid {
+    VoxelCounts counts;
+    std::array<double, 3> corner;
+    std::array<double, 3> spacing;
+    /// The number of times that the labels of the image are repeated along z.
+    int n_repeats;
+};
+
+StatedGrid stated_grid(const plane::VoxelGrid& grid) {
     const plane::Vec2 spacing = grid.spacing();
+    // A layer is as thick as a voxel is wide.
+    return {grid.counts,
+            {grid.corner.x(), grid.corner.y(), 0},
+            {spacing.x(), spacing.y(), spacing.x()},
+            grid.counts.z};
+}
+
+StatedGrid stated_grid(const space::VoxelGrid& grid) {
+    const space::Vec3 spacing = grid.spacing();
+    return {grid.counts,
+            {grid.corner.x(), grid.corner.y(), grid.corner.z()},
+            {spacing.x(), spacing.y(), spacing.z()},
+            1};
+}
+
+template <class Image, class Cells>
+std::string encode_image(const Image& image, const Cells& cells) {
+    const StatedGrid grid = stated_grid(image.grid);
     const std::string extent = "Extent=\"0 " + std::to_string(grid.counts.x) + " 0 " +
                                std::to_string(grid.counts.y) + " 0 " +
                                std::to_string(grid.counts.z) + '"';
@@ -99,20 +136,26 @@ std::string encode_image(const plane::VoxelImage& image, const plane::VoxelCells
         "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
         "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<ImageData Whole" +
         extent + " Origin=\"";
-    append_with(text, grid.corner.x(), ' ');
-    append_with(text, grid.corner.y(), ' ');
-    text += "0\" Spacing=\"";
-    append_with(text, spacing.x(), ' ');
-    append_with(text, spacing.y(), ' ');
-    // A layer is as thick as a voxel is wide.
-    append_with(text, spacing.x(), '"');
-    text += " Direction=\"1 0 0 0 1 0 0 0 1\">\n";
-    append_field_data(text, cells);
-    text += "<Piece " + extent +
+    for (int d = 0; d < 3; ++d) append_with(text, grid.corner[d], d == 2 ? '"' : ' ');
+    text += " Spacing=\"";
+    for (int d = 0; d < 3; ++d) append_with(text, grid.spacing[d], d == 2 ? '"' : ' ');
+    text += " Direction=\"1 0 0 0 1 0 0 0 1\">\n<FieldData>\n";
+    append_cells(text, cells);
+    text += "</FieldData>\n<Piece " + extent +
             ">\n<CellData>\n<DataArray type=\"Int32\" Name=\"material\" format=\"binary\">\n";
-    append_compressed(text, image.site, grid.counts.z);
+    append_compressed(text, image.site, grid.n_repeats);
     text += "\n</DataArray>\n</CellData>\n</Piece>\n</ImageData>\n</VTKFile>\n";
     return text;
+}
+
+template <class Image, class Cells>
+std::vector<EncodedFile> encode_voxels(const Image& image, const Cells& cells,
+                                       const CellMaterials& materials,
+                                       const ElasticChoices& elastic, const std::string& path) {
+    const std::vector<std::string> paths = vti_paths(path);
+    std::vector<EncodedFile> files = only_file(paths[0], encode_image(image, cells));
+    files.push_back({paths[1], encode_damask_material(cells.n_cells(), materials, elastic)});
+    return files;
 }
 
 }  // namespace
@@ -124,10 +167,14 @@ std::vector<std::string> vti_paths(const std::string& path) {
 std::vector<EncodedFile> encode_vti(const plane::VoxelImage& image, const plane::VoxelCells& cells,
                                     const CellMaterials& materials, const ElasticChoices& elastic,
                                     const std::string& path) {
-    const std::vector<std::string> paths = vti_paths(path);
-    std::vector<EncodedFile> files = only_file(paths[0], encode_image(image, cells));
-    files.push_back({paths[1], encode_damask_material(cells.n_cells(), materials, elastic)});
-    return files;
+    return encode_voxels(image, cells, materials, elastic, path);
+}
+
+std::vector<EncodedFile> encode_space_vti(const space::VoxelImage& image,
+                                          const space::VoxelCells& cells,
+                                          const CellMaterials& materials,
+                                          const ElasticChoices& elastic, const std::string& path) {
+    return encode_voxels(image, cells, materials, elastic, path);
 }
 
 }  // namespace pcvt

@@ -195,6 +195,31 @@ std::string unseen_text(const std::vector<SiteId>& unseen) {
     return text + (unseen.size() > kMostNamed ? " ...)" : ")");
 }
 
+/// The verdict on the voxels, in the plane or in space.
+std::string voxel_verdict(const VoxelProof& proof, const VoxelFile& file, bool has_sites) {
+    return (has_sites ? ", each voxel in the cell of its site within " +
+                            figure(proof.largest_excess) + " h"
+                      : ", no sites stored") +
+           (file.materials ? ", one material a cell" : ", no materials beside it") + ", " +
+           unseen_text(proof.unseen);
+}
+
+/// The proof of voxels in space, behind the path.
+std::string space_voxels_text(const std::string& path, const std::vector<EncodedFile>& files,
+                              const VoxelFile& file, const Question& question) {
+    if (question.lattice || question.areas) {
+        throw BadFile(path +
+                      ": holds voxels in space, which state their lattice and have no areas; leave "
+                      "the options out");
+    }
+    const VoxelProof proof = prove_voxel_file(files, file);
+    const space::VoxelGrid& grid = file.space->image.grid;
+    return std::to_string(grid.counts.x) + " x " + std::to_string(grid.counts.y) + " x " +
+           std::to_string(grid.counts.z) + " voxels of " + std::to_string(proof.n_cells) +
+           " cells, period " + figure(grid.size.x()) + " x " + figure(grid.size.y()) + " x " +
+           figure(grid.size.z()) + voxel_verdict(proof, file, file.space->cells.has_value());
+}
+
 /// The proof of a voxel image as a line.
 std::string prove_voxel_image(VoxelReader* read, const Format& format, const std::string& path,
                               const Question& question) {
@@ -209,21 +234,20 @@ std::string prove_voxel_image(VoxelReader* read, const Format& format, const std
     }
     const std::vector<EncodedFile> files = read_files(format, path);
     const VoxelFile file = read(files);
+    if (file.space) {
+        return path + ": a voxel image: " + space_voxels_text(path, files, file, question) + "\n";
+    }
     const plane::VoxelGrid& grid = file.image.grid;
     if (question.lattice) {
         compare_lattice(plane::Lattice::rectangle(grid.size.x(), grid.size.y()), *question.lattice);
     }
-    const plane::VoxelProof proof = prove_voxel_file(files, file);
+    const VoxelProof proof = prove_voxel_file(files, file);
     return path + ": a voxel image: " + std::to_string(grid.counts.x) + " x " +
            std::to_string(grid.counts.y) +
            (grid.counts.z > 1 ? " x " + std::to_string(grid.counts.z) + " equal layers of" : "") +
            " voxels of " + std::to_string(proof.n_cells) + " cells, period " +
            figure(grid.size.x()) + " x " + figure(grid.size.y()) +
-           (file.cells ? ", each voxel in the cell of its site within " +
-                             figure(proof.largest_excess) + " h"
-                       : ", no sites stored") +
-           (file.materials ? ", one material a cell" : ", no materials beside it") + ", " +
-           unseen_text(proof.unseen) +
+           voxel_verdict(proof, file, file.cells.has_value()) +
            (question.areas ? prove_voxel_areas(path, file, *question.areas) : "") + "\n";
 }
 

@@ -20,6 +20,10 @@ constexpr double kHeldTetrahedra = 1100;
 constexpr double kRemovingEdges = 7600;
 constexpr double kRemovedEdges = 1200;
 
+/// A voxel of an image of cells: its label, and those that the proof reads back, measured at 2^24
+/// and 2^26 voxels.
+constexpr double kVoxelInSpace = 10;
+
 /// A message about memory names the tetrahedra where there are this many times as usual.
 constexpr double kManyTetrahedra = 3;
 
@@ -35,17 +39,29 @@ double largest_bytes(const Job& job, const std::vector<JobFile>& files) {
     return a_site + held;
 }
 
+double voxels_bytes(const Job& job, const std::vector<JobFile>& files) {
+    double bytes = 0;
+    for (const JobFile& file : files) {
+        if (file.format->space->encode_voxels == nullptr) continue;
+        const VoxelCounts counts =
+            requested_voxels(job.in_space().lattice, job.n_wanted(), job.file_options.voxels);
+        bytes += kVoxelInSpace * counts.x * counts.y * counts.z;
+    }
+    return bytes;
+}
+
 }  // namespace
 
 double memory_in_space(const Job& job, const std::vector<JobFile>& files) {
     const double n = job.n_wanted();
     // The bytes a site are those of sites that are spread evenly.
     const double n_even = std::max(n, job.n_tetrahedra / space::kTetrahedraPerSite);
-    return kCommandBytes + kThreadBytes * job.run.n_threads + n_even * largest_bytes(job, files);
+    return kCommandBytes + kThreadBytes * job.run.n_threads + n_even * largest_bytes(job, files) +
+           voxels_bytes(job, files);
 }
 
 double space_memory_to_write(const Job& job, const std::vector<JobFile>& files) {
-    return job.n_wanted() * (largest_bytes(job, files) - kComputed);
+    return job.n_wanted() * (largest_bytes(job, files) - kComputed) + voxels_bytes(job, files);
 }
 
 std::string space_run_takes(const Job& job) {

@@ -17,6 +17,7 @@
 #include "mesher/space/proof/tetrahedral_proof.hpp"
 #include "mesher/space/search/lattice_pattern.hpp"
 #include "mesher/space/search/lattice_stability.hpp"
+#include "mesher/space/voxels/voxel_image.hpp"
 #include "plugin/job/job_start.hpp"
 
 namespace pcvt {
@@ -148,15 +149,19 @@ struct SpaceContent {
     space::Points points;
     /// For files of tetrahedra; nothing if there is none.
     std::optional<space::TetrahedralMesh> tetrahedra;
-    plane::MeshKind mesh;
-    SurfaceForm surfaces;
+    const Job& job;
+
+    plane::MeshKind mesh() const { return job.meshes.front(); }
 
     std::vector<EncodedFile> encode(const JobFile& file) const {
         const SpaceFormat& format = *file.format->space;
-        if (format.shows_tetrahedra(mesh)) {
+        if (format.shows_tetrahedra(mesh())) {
             return format.encode_tetrahedra(tetrahedra.value(), file.path());
         }
-        if (format.encode != nullptr) return format.encode(tile, surfaces, file.path());
+        if (format.encode != nullptr) {
+            return format.encode(tile, job.file_options.surfaces, file.path());
+        }
+        if (format.encode_voxels != nullptr) return encode_voxels(file);
         if (const auto* const write = std::get_if<CellWriter*>(&file.format->write)) {
             return (*write)(rows(), file.path());
         }
@@ -166,10 +171,12 @@ struct SpaceContent {
     void prove(const JobFile& file, const std::vector<EncodedFile>& encoded) const {
         const SpaceFormat& format = *file.format->space;
         if (format.is_picture()) return;
-        if (format.shows_tetrahedra(mesh)) {
+        if (format.shows_tetrahedra(mesh())) {
             prove_own_tetrahedra(encoded.front(), tetrahedra.value());
         } else if (format.encode != nullptr) {
             prove_own_space_files(encoded, tile);
+        } else if (file.format->reads_voxels()) {
+            prove_voxel_files(*file.format, encoded, computation.materials);
         } else if (file.format->reads_cells()) {
             prove_cell_files(*file.format, encoded, rows());
         } else {
@@ -178,6 +185,18 @@ struct SpaceContent {
     }
 
    private:
+    std::vector<EncodedFile> encode_voxels(const JobFile& file) const {
+        const SpaceDomain& domain = job.in_space();
+        const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
+        const VoxelCounts counts =
+            requested_voxels(domain.lattice, delaunay.sites.n_sites(), job.file_options.voxels);
+        const space::VoxelImage image = voxel_image(
+            delaunay, {}, voxel_grid(domain.lattice, domain.origin, counts), job.run.n_threads);
+        return file.format->space->encode_voxels(
+            image, {.lattice = domain.lattice, .sites = points}, computation.materials,
+            job.file_options.elastic, file.path());
+    }
+
     CellRows rows() const {
         return {.sites = points,
                 .cells = computation.cells.table(),
@@ -256,7 +275,6 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
                                 const TileSource<SpaceWorld>& tiles, JobMonitor& monitor,
                                 RunSummary& summary) {
     const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
-    const plane::MeshKind kind = job.meshes.front();
     std::optional<space::TetrahedralMesh> tetrahedra =
         build_tetrahedra(delaunay, job, files, monitor);
     const ProvedSpaceTile& built = tiles(monitor);
@@ -269,10 +287,11 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
     }
     summary.valences = built.face_counts;
     summary.polyhedra = built.figures;
+    summary.constants = stated_constants(files, job.file_options, computation.materials);
     require_closed_boundary(job, files, built.figures.proof);
     const auto content = std::make_shared<const SpaceContent>(SpaceContent{
         built.tile, computation, wrapped_positions(delaunay.sites, job.in_space().origin),
-        std::move(tetrahedra), kind, job.file_options.surfaces});
+        std::move(tetrahedra), job});
     return {.encode = [content](const JobFile& file) { return content->encode(file); },
             .prove =
                 [content](const JobFile& file, const std::vector<EncodedFile>& encoded) {

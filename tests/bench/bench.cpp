@@ -26,6 +26,7 @@ void add_cases() {
     }
     add_small_space_cases(1000);
     for (const int n : {10'000, 100'000}) add_space_cases(n);
+    for (const int n : {1000, 10'000}) add_voxel_case(n);
     add_single_cases();
 }
 

@@ -60,6 +60,8 @@ void add_abi_case(const Input& input);
 void add_space_cases(int n);
 /// Only cells of prescribed volumes in space, and their unit.
 void add_small_space_cases(int n);
+/// The image of the cells of n random sites of the unit cube in 256 x 256 x 256 voxels, one thread.
+void add_voxel_case(int n);
 
 /// Cases of one size only: many small runs, and resident memory, which must come last.
 void add_single_cases();

@@ -6,6 +6,7 @@
 #include "mesher/space/cvt/volume_newton.hpp"
 #include "mesher/space/delaunay/mirror_diagram.hpp"
 #include "mesher/space/energy/energy_pass.hpp"
+#include "mesher/space/voxels/voxel_image.hpp"
 #include "tests/bench/cases.hpp"
 #include "tests/bench/space_peers.hpp"
 
@@ -159,6 +160,16 @@ void add_space_grains(int n) {
 }
 
 }  // namespace
+
+void add_voxel_case(int n) {
+    add_in_cube("space_voxels", n, [=](benchmark::State& state) {
+        const auto delaunay = space::periodic_delaunay(space::Sites(cube(), random_points(n)));
+        const space::VoxelGrid grid = voxel_grid(cube(), {0, 0, 0}, {256, 256, 256});
+        for ([[maybe_unused]] auto _ : state) {
+            benchmark::DoNotOptimize(voxel_image(delaunay, {}, grid, 1).site.data());
+        }
+    });
+}
 
 void add_space_cases(int n) {
     add_space_peer("cgal_plain_3", cgal_plain_in_space, n);

@@ -104,6 +104,8 @@ ROWS = [
                         "volume_newton", {1000: "8", 10_000: "8", 100_000: "12"}),
     *prescribed_volumes("the same with five centroidal steps / CGAL plain build",
                         "space_grains", {1000: "30", 10_000: "30", 100_000: "30"}),
+    Row("seconds for 256 x 256 x 256 voxels", Measure("space_voxels"), None, "0.4", (1000,), ("cube",)),
+    Row("seconds for 256 x 256 x 256 voxels", Measure("space_voxels"), None, "", (10_000,), ("cube",)),
 ]
 
 # Cases whose times the second table lists, in this order.

@@ -187,7 +187,13 @@ std::vector<std::string> voxel_seeds() {
     for (SiteId s = 0; s < 5; ++s) cells.sites.col(s) = delaunay.sites().position(s);
     const plane::VoxelImage image =
         voxel_image(delaunay, {}, voxel_grid(lattice, {0, 0}, {6, 4}), 1);
-    return {encode_vti(image, cells, {}, {}, "t.vti").front().bytes};
+    const space::Lattice box = space::Lattice::box(2, 1, 1);
+    const auto tetrahedra = space::periodic_delaunay(space::Sites(box, uniform_points(box, 5, 1)));
+    const space::VoxelImage of_space =
+        voxel_image(tetrahedra, {}, voxel_grid(box, {0, 0, 0}, {6, 4, 3}), 1);
+    const space::VoxelCells in_space{.lattice = box, .sites = tetrahedra.sites.positions()};
+    return {encode_vti(image, cells, {}, {}, "t.vti").front().bytes,
+            encode_space_vti(of_space, in_space, {}, {}, "t.vti").front().bytes};
 }
 
 void read_materials(const std::string& bytes) { decode_damask_material("t.material.yaml", bytes); }

@@ -19,6 +19,8 @@ std::span<const MutatedFormat> mutated_formats() {
         MutatedFormat{"foam", ".foam", base_files, refusal, foam_mutants, harmless_in_foam()},
         MutatedFormat{"nc", ".nc", base_files, refusal, nc_mutants, harmless_in_nc()},
         MutatedFormat{"vti", ".vti", base_files, refusal, vti_mutants, harmless_in_vti()},
+        MutatedFormat{"space_vti", ".vti", space_base_files, refusal, vti_mutants,
+                      harmless_in_vti()},
         MutatedFormat{"space_vtu", ".vtu", space_base_files, space_refusal, vtu_mutants,
                       harmless_in_space()},
         MutatedFormat{"space_foam", ".foam", space_base_files, space_refusal, foam_mutants,

@@ -52,6 +52,29 @@ void add_tetrahedra(const SpaceFormat& format, const SpaceCase& c, const std::st
         {"tetrahedra " + c.name, plane::MeshKind::kDelaunay, format.encode_tetrahedra(mesh, path)});
 }
 
+/// Voxels with and without materials and weights, for which the tetrahedra are still regular.
+std::vector<BaseFile> space_voxel_files(const SpaceFormat& format, const std::string& path) {
+    constexpr int kCells = 7;
+    const space::Lattice box = space::Lattice::box(1.3, 0.7, 0.9);
+    const auto delaunay =
+        space::periodic_delaunay(space::Sites(box, uniform_points(box, kCells, 4)));
+    const space::VoxelGrid grid = voxel_grid(box, {0.123, -7.3, 2}, {14, 8, 9});
+    const space::VoxelImage image = voxel_image(delaunay, {}, grid, 1);
+    space::VoxelCells cells{.lattice = box, .sites = delaunay.sites.positions()};
+    std::vector<BaseFile> bases{
+        {"voxels", plane::MeshKind::kVoronoi, format.encode_voxels(image, cells, {}, {}, path)}};
+    CellMaterials materials{.phase_names = {"alpha", "beta"}};
+    for (int s = 0; s < kCells; ++s) {
+        materials.site_phase.push_back(s % 2);
+        materials.site_orientation.push_back({10.0 * s, 20.0 + s, 30.0});
+    }
+    cells.weights = Eigen::VectorXd::LinSpaced(kCells, 0, 0.06);
+    const space::VoxelImage weighted = voxel_image(delaunay, cells.weights, grid, 1);
+    bases.push_back({"voxels with materials", plane::MeshKind::kVoronoi,
+                     format.encode_voxels(weighted, cells, materials, {}, path)});
+    return bases;
+}
+
 void prove(SpaceFileKind kind, const Files& files) {
     switch (kind) {
         case SpaceFileKind::kPolyhedra:
@@ -74,6 +97,7 @@ void prove(SpaceFileKind kind, const Files& files) {
 std::vector<BaseFile> space_base_files(std::string_view extension) {
     const std::string path = "tile" + std::string(extension);
     const SpaceFormat& format = *find_format(path)->space;
+    if (format.encode_voxels != nullptr) return space_voxel_files(format, path);
     std::vector<BaseFile> bases;
     for (const SpaceCase& c : cases()) {
         if (format.encode != nullptr) add_space_tile(format, c, path, bases);

@@ -35,18 +35,28 @@ class YamlNamer {
     std::string section_;
 };
 
-/// The ids of the voxels. A mutant compresses them again.
+/// The bytes of an image with another id of a voxel, which compress it again.
+std::string with_voxel(const Files& files, std::size_t voxel, const std::string& value) {
+    VoxelFile file = decode_vti(files);
+    const auto id = static_cast<SiteId>(std::stoll(value));
+    if (file.space) {
+        file.space->image.site[voxel] = id;
+        return encode_space_vti(file.space->image, file.space->cells.value(), {}, {}, files[0].path)
+            .front()
+            .bytes;
+    }
+    file.image.site[voxel] = id;
+    return encode_vti(file.image, file.cells.value(), {}, {}, files[0].path).front().bytes;
+}
+
+/// The ids of the voxels.
 std::vector<Field> voxel_fields(const Files& files) {
     std::vector<Field> fields;
     const VoxelFile file = decode_vti(files);
-    for (std::size_t k = 0; k < file.image.site.size(); ++k) {
-        fields.push_back({"voxel", std::to_string(file.image.site[k]),
-                          [&files, file, k](const std::string& value) {
-                              plane::VoxelImage image = file.image;
-                              image.site[k] = static_cast<SiteId>(std::stoll(value));
-                              const auto written =
-                                  encode_vti(image, file.cells.value(), {}, {}, files[0].path);
-                              return with_bytes(files, 0, written[0].bytes);
+    const std::vector<SiteId>& sites = file.space ? file.space->image.site : file.image.site;
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+        fields.push_back({"voxel", std::to_string(sites[k]), [&files, k](const std::string& value) {
+                              return with_bytes(files, 0, with_voxel(files, k, value));
                           }});
     }
     return fields;

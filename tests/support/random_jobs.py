@@ -11,7 +11,7 @@ from support.random_inputs import (area_text, density_option, fixed_text, inclus
 
 PLANE_FORMATS = ("obj", "ply", "glb", "gltf", "om", "msh", "inp", "vtu", "svg", "png", "dxf", "html", "foam", "nc", "vti",
                  "csv", "txt")
-SPACE_FORMATS = ("vtu", "foam", "msh", "obj", "ply", "glb", "om", "svg", "png", "txt")
+SPACE_FORMATS = ("vtu", "foam", "msh", "obj", "ply", "glb", "om", "svg", "png", "vti", "txt")
 STEMS = ("t", "t", "t", "my tile", " two  blanks ", "Gitter-ä", "格子", "a;b", "it's", 'say "x"', "50%", "a#1", "(copy)",
          "v1.2", "new/folder/t", "T")
 COLOURS = ("sides", "size", "cells")
@@ -93,6 +93,8 @@ def plane_lattice(job):
 
 def space_lattice(job):
     kind = job.pick(("cube", "box", "thin", "oblique", "sheared"), ("bad",))
+    if kind in ("oblique", "sheared"):
+        job.leave_out("vti")
     job.add(*space_lattice_option(job.draw, kind, job.unit))
 
 
@@ -326,8 +328,11 @@ def space_options(job):
         job.leave_out("msh", "obj", "ply", "glb", "om")
     if job.often(0.1):
         job.add("--stability")
-    if outputs(job).intersection(("obj", "ply", "glb")) and job.often(0.5):
+    chosen = outputs(job)
+    if chosen.intersection(("obj", "ply", "glb")) and job.often(0.5):
         job.add("--surface", job.pick(("cells", "boundary"), ("both",)))
+    if "vti" in chosen and job.often(0.5):
+        job.add("--voxels", job.pick(("4,6,8", "16,9,5"), ("4,4", "1,8,8")))
 
 
 def pattern_options(job):

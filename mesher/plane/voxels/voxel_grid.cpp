@@ -1,8 +1,6 @@
 #include "mesher/plane/voxels/voxel_grid.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "mesher/base/error.hpp"
 #include "mesher/plane/geometry/domain.hpp"
@@ -30,21 +28,12 @@ Vec2 axis_periods(const Lattice& lattice) {
         "rectangular");
 }
 
-int even_count(double wanted) {
-    const double even = 2 * std::ceil(wanted / 2);
-    return static_cast<int>(std::clamp<double>(even, kLeastVoxels, kMostVoxelsOfARow));
-}
-
 void require_counts(VoxelCounts counts) {
     if (counts.x < kLeastVoxels || counts.y < kLeastVoxels) {
         throw InvalidInput("there are fewer than 2 voxels along an axis; take at least 2");
     }
     if (counts.z < 1) throw InvalidInput("there is no layer of voxels along z; take at least 1");
-    const double n = double(counts.x) * counts.y * counts.z;
-    if (n <= kMostVoxels && std::max({counts.x, counts.y, counts.z}) <= kMostVoxelsOfARow) return;
-    throw LimitExceeded(std::to_string(counts.x) + " x " + std::to_string(counts.y) +
-                        (counts.z > 1 ? " x " + std::to_string(counts.z) : "") +
-                        " voxels are too many; take at most 2^28, and 2^20 along an axis");
+    require_voxel_limits(counts);
 }
 
 }  // namespace
@@ -52,7 +41,7 @@ void require_counts(VoxelCounts counts) {
 VoxelCounts default_voxels(const Lattice& lattice, double n_cells) {
     const Vec2 periods = axis_periods(lattice);
     const double side = std::sqrt(periods.x() * periods.y() / n_cells) / kVoxelsAlongCell;
-    return {even_count(periods.x() / side), even_count(periods.y() / side)};
+    return {even_voxel_count(periods.x() / side), even_voxel_count(periods.y() / side)};
 }
 
 VoxelGrid voxel_grid(const Lattice& lattice, const Vec2& origin, VoxelCounts counts) {

@@ -1,22 +1,14 @@
 #pragma once
 
 #include "mesher/plane/geometry/lattice.hpp"
+#include "mesher/torus/voxels.hpp"
 
 namespace pcvt::plane {
 
-/// Voxels along x and y, and equal layers along z.
-struct VoxelCounts {
-    int x = 0;
-    int y = 0;
-    int z = 1;
-
-    friend bool operator==(const VoxelCounts&, const VoxelCounts&) = default;
-};
-
-/// Solvers by Fourier transforms refuse a single voxel along x.
-inline constexpr int kLeastVoxels = 2;
-inline constexpr int kMostVoxelsOfARow = 1 << 20;
-inline constexpr int kMostVoxels = 1 << 28;
+using pcvt::kLeastVoxels;
+using pcvt::kMostVoxels;
+using pcvt::kMostVoxelsOfARow;
+using pcvt::VoxelCounts;
 
 /// A periodic grid of rectangular voxels: voxel (k, l) is centred at
 /// corner + ((k + 1/2) size.x / counts.x, (l + 1/2) size.y / counts.y), 0 <= k < counts.x.

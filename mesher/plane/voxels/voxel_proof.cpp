@@ -42,16 +42,6 @@ void require_voxel_ids(const VoxelImage& image, int n_cells) {
     }
 }
 
-std::vector<SiteId> unseen_cells(const VoxelImage& image, int n_cells) {
-    std::vector<bool> is_seen(static_cast<std::size_t>(n_cells));
-    for (const SiteId s : image.site) is_seen[s] = true;
-    std::vector<SiteId> unseen;
-    for (SiteId s = 0; s < n_cells; ++s) {
-        if (!is_seen[s]) unseen.push_back(s);
-    }
-    return unseen;
-}
-
 VoxelProof prove_voxels(const VoxelImage& image, const VoxelCells& cells) {
     require_voxel_ids(image, cells.n_cells());
     const VoxelGrid& grid = image.grid;
@@ -87,7 +77,7 @@ VoxelProof prove_voxels(const VoxelImage& image, const VoxelCells& cells) {
         if (apart > 0) largest = std::max(largest, gap / apart);
     }
     return {.n_cells = cells.n_cells(),
-            .unseen = unseen_cells(image, cells.n_cells()),
+            .unseen = unseen_cells(image.site, cells.n_cells()),
             .largest_excess = largest / h};
 }
 

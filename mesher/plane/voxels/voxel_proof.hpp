@@ -17,18 +17,8 @@ struct VoxelCells {
     int n_cells() const { return static_cast<int>(sites.cols()); }
 };
 
-/// The result of prove_voxels().
-struct VoxelProof {
-    int n_cells;
-    /// The cells that contain the centre of no voxel, by rising id.
-    std::vector<SiteId> unseen;
-    /// The largest distance of a centre from the cell that it names, in units of h.
-    double largest_excess;
-};
-
-/// In units of h = sqrt(area / n): a centre may lie so far outside of the cell that it names,
-/// because positions are rounded in files.
-inline constexpr double kVoxelTolerance = 1e-9;
+using pcvt::kVoxelTolerance;
+using pcvt::VoxelProof;
 
 /// Proves the image from only the positions of the sites, in doubles, without a triangulation:
 ///   (1) Each voxel names a site from 0 to n - 1.
@@ -42,10 +32,6 @@ inline constexpr double kVoxelTolerance = 1e-9;
 /// Cost: of order n_voxels log n.
 /// @throws NotATile naming the voxel (from 0) and the site.
 VoxelProof prove_voxels(const VoxelImage& image, const VoxelCells& cells);
-
-/// The cells 0 ... n_cells - 1 that no voxel names.
-/// @pre law (1).
-std::vector<SiteId> unseen_cells(const VoxelImage& image, int n_cells);
 
 /// Checks only law (1).
 /// @throws NotATile

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "mesher/space/delaunay/power_distance.hpp"
 #include "mesher/space/delaunay/power_predicates.hpp"
 #include "mesher/space/geometry/wide_integer.hpp"
 
@@ -311,6 +312,14 @@ Vec3 exact_orthocentre(const Gram& gram, const std::array<Vec3, 3>& d,
         return squared_length(gram, edge[k]) - weight_difference(weight[k + 1], weight[0]);
     };
     return exact_centre(gram, edge, {height(0), height(1), height(2)});
+}
+
+int compare_power_distances(const Gram& gram, const SeenImage& p, const SeenImage& q) {
+    const auto square = [&gram](const Vec3& d) {
+        return squared_length(gram, {d.x(), d.y(), d.z()});
+    };
+    return (square(p.displacement) - square(q.displacement) - weight_difference(p.weight, q.weight))
+        .sign();
 }
 
 }  // namespace pcvt::space

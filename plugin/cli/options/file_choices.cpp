@@ -31,7 +31,8 @@ void add_file_choices(CLI::App& app, FileChoices& choices, NumberTexts& numbers)
     add_number(app, "--pixels", numbers);
     app.add_option("--voxels", choices.voxels,
                    "of .vti: voxels along x and y [about 16 along h = sqrt(area / n)];\n"
-                   "NZ repeats the layer along z, where DAMASK splits a grid over processes")
+                   "NZ repeats the layer along z, where DAMASK splits a grid over processes;\n"
+                   "in space NX,NY,NZ [about 16 along h = cbrt(volume / n)]")
         ->type_name("NX,NY[,NZ]");
     app.add_option("--coriolis", choices.coriolis,
                    "of .nc: the Coriolis parameter F + BETA y at cells, edges and vertices;\n"

@@ -174,14 +174,14 @@ std::array<double, 2> coriolis_parameter(const std::string& option, const std::s
     return {values[0], has_beta ? values[1] : 0};
 }
 
-plane::VoxelCounts voxel_counts(const std::string& option, const std::string& text) {
+VoxelCounts voxel_counts(const std::string& option, const std::string& text) {
     const bool has_layers = std::count(text.begin(), text.end(), ',') == 2;
     const std::vector<double> counts = numbers(option, text, has_layers ? 3 : 2,
                                                "NX,NY or NX,NY,NZ, such as 256,256 or 256,256,16");
     for (std::size_t k = 0; k < counts.size(); ++k) {
-        const int least = k < 2 ? plane::kLeastVoxels : 1;
+        const int least = k < 2 ? kLeastVoxels : 1;
         if (counts[k] == std::floor(counts[k]) && counts[k] >= least &&
-            counts[k] <= plane::kMostVoxelsOfARow) {
+            counts[k] <= kMostVoxelsOfARow) {
             continue;
         }
         throw_bad_value(option, text,

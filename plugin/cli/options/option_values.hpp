@@ -10,8 +10,8 @@
 #include "mesher/base/choices.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/plane/geometry/lattice.hpp"
-#include "mesher/plane/voxels/voxel_grid.hpp"
 #include "mesher/space/geometry/lattice.hpp"
+#include "mesher/torus/voxels.hpp"
 
 namespace pcvt::cli {
 
@@ -70,7 +70,7 @@ space::Lattice space_lattice(const std::string& option, const std::string& text)
 std::array<double, 2> coriolis_parameter(const std::string& option, const std::string& text);
 
 /// "NX,NY" or "NX,NY,NZ", whole numbers, the first two at least kLeastVoxels.
-plane::VoxelCounts voxel_counts(const std::string& option, const std::string& text);
+VoxelCounts voxel_counts(const std::string& option, const std::string& text);
 
 /// "IxJ", whole numbers, at least 1.
 Repetition repetition(const std::string& option, const std::string& text);

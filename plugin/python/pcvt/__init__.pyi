@@ -177,6 +177,8 @@ class SpaceResult:
         report: Optional[_Path] = None,
         replace: bool = False,
         progress: Optional[_Watch] = None,
+        voxels: Sequence[int] = (0, 0, 0),
+        materials: Optional[_Constants] = None,
         **fields: float,
     ) -> None: ...
 

@@ -69,6 +69,13 @@ def set_fields(function, options, fields):
             set_integers(options, **{name: value})
 
 
+def set_voxels(options, voxels):
+    """Sets the numbers of voxels along x and y, and where a third is given along z."""
+    columns, rows, *layers = voxels
+    options.voxels[:] = operator.index(columns), operator.index(rows)
+    set_integers(options, voxel_layers=layers.pop() if layers else 0)
+
+
 def set_sites(options, sites, dimension):
     """Returns the array that must stay alive as long as the options are used, or None."""
     if np.ndim(sites) == 0:

@@ -1,13 +1,12 @@
 """Results in the plane."""
 
-import operator
 from ctypes import sizeof
 
 import numpy as np
 
 from . import _structs
 from ._arguments import material_text
-from ._calls import choice, set_fields, set_integers, text, written
+from ._calls import choice, set_fields, set_integers, set_voxels, text, written
 from ._library import library
 from ._shown import MOST_SHOWN, one_line, outcome
 from ._views import Tile, TorusMesh, inclusions_of, minimum_of, statistics_of
@@ -124,9 +123,7 @@ class Result:
         if materials is not None:
             options.materials = material_text(materials)
         set_integers(options, pixels=pixels)
-        columns, rows, *layers = voxels
-        options.voxels[:] = operator.index(columns), operator.index(rows)
-        set_integers(options, voxel_layers=layers.pop() if layers else 0)
+        set_voxels(options, voxels)
         options.coriolis[:] = coriolis
         set_fields("write", options, fields)
         written(self._handle, path, options, progress)

@@ -5,8 +5,9 @@ from ctypes import sizeof
 import numpy as np
 
 from . import _structs
+from ._arguments import material_text
+from ._calls import choice, set_fields, set_voxels, text, written
 from ._cells import space_cell_table
-from ._calls import choice, set_fields, text, written
 from ._library import library
 from ._shown import count, one_line, outcome
 from ._views import minimum_of, statistics_of
@@ -82,9 +83,10 @@ class SpaceResult:
         return SpaceTile(self._handle, self._view())
 
     def write(self, path, *, mesh="voronoi", surface="cells", report=None, replace=False, progress=None,
-              **fields):
+              voxels=(0, 0, 0), materials=None, **fields):
         """Writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the boundary of the tile
-        (.om), the Delaunay tetrahedra (.msh, .vtu) or the sites (.txt), by the extension. Either all files
+        (.om), the Delaunay tetrahedra (.msh, .vtu), the cells as voxels (.vti), a table of the cells (.csv)
+        or the sites (.txt), by the extension. Either all files
         appear, complete and proved to be a periodic tile, or none. Ctrl-C ends the call soon.
 
         path        None: only the report
@@ -94,6 +96,8 @@ class SpaceResult:
         report      also write the statistics of the run to this .json file
         replace     whether files that exist are replaced
         progress    called with a Progress ten times a second; a true return value cancels
+        voxels      of .vti: the numbers along x, y and z; (0, 0, 0): about 16 along h
+        materials   of .vti: the elastic constants of the phases, as in the plane
         fields      numbers of pcvt_write_options, by their names in pcvt.h
 
         Raises OutputError, ArgumentError (another extension), GeometryError (.msh with flat
@@ -103,6 +107,9 @@ class SpaceResult:
                                         kind=choice("mesh", mesh, dimension=3),
                                         surface=choice("surface", surface, dimension=3),
                                         report=None if report is None else text("report", report))
+        if materials is not None:
+            options.materials = material_text(materials)
+        set_voxels(options, voxels)
         set_fields("write", options, fields)
         written(self._handle, path, options, progress)
 

@@ -161,7 +161,8 @@ TEST(MaterialFiles, InputsWithAnotherPhaseOrOrientationAreRefused) {
                 HasSubstr("there is no phase '2'"));
     EXPECT_THAT(refusal("pcvt site_phases 0 1", "pcvt site_phases 1"),
                 HasSubstr("there are phases of 19 sites for 20 sites"));
-    EXPECT_THAT(refusal("pcvt phases ferrite", "pcvt phases f,"), HasSubstr("not the name of a phase"));
+    EXPECT_THAT(refusal("pcvt phases ferrite", "pcvt phases f,"),
+                HasSubstr("not the name of a phase"));
     EXPECT_THAT(refusal("pcvt phases ferrite", "pcvt phases m-2_X"), HasSubstr("given twice"));
     EXPECT_NE(refusal("pcvt angles ", "pcvt angles 1"), "");
     // The constants and the steps are the user's.

@@ -23,7 +23,6 @@ static void each_field_of_the_plane_is_refused_by_its_name(void) {
     } while (0)
     const double three[9] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
     PLANE_FIELD(lattice[2], "lattice", 0.5);
-    PLANE_FIELD(origin[1], "origin", 0.5);
     PLANE_FIELD(find_origin, "find_origin", 1);
     PLANE_FIELD(columns, "columns", 2);
     PLANE_FIELD(rows, "rows", 2);
@@ -45,10 +44,6 @@ static void each_field_of_the_plane_is_refused_by_its_name(void) {
     PLANE_FIELD(area_law, "area_law", "equal");
     PLANE_FIELD(aspect, "aspect", 2);
     PLANE_FIELD(aspect_degrees, "aspect_degrees", 30);
-    PLANE_FIELD(phases, "phases", "a:1");
-    PLANE_FIELD(orientations, "orientations", three);
-    PLANE_FIELD(n_orientations, "n_orientations", 3);
-    PLANE_FIELD(random_orientations, "random_orientations", 1);
     PLANE_FIELD(symmetry, "symmetry", PCVT_SYMMETRY_P1);
     PLANE_FIELD(fixed_sites, "fixed_sites", three);
     PLANE_FIELD(n_fixed_sites, "n_fixed_sites", 1);
@@ -172,18 +167,39 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
     PLANE_FIELD(element, "element", PCVT_CPS);
     PLANE_FIELD(cut_width, "cut_width", 100);
     PLANE_FIELD(background, "background", "none");
-    PLANE_FIELD(voxels[0], "voxels", 16);
-    PLANE_FIELD(voxel_layers, "voxel_layers", 2);
     PLANE_FIELD(coriolis[0], "coriolis", 1e-4);
     PLANE_FIELD(job, "job", PCVT_JOB_ELASTIC);
     PLANE_FIELD(thickness, "thickness", 0.1);
-    PLANE_FIELD(materials, "materials", "same");
 #undef PLANE_FIELD
     CHECK(pcvt_write(result, NULL, NULL) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_write(result, "", NULL) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_write(result, "refused.inp", NULL) == PCVT_ERROR_ARGUMENT);
     CHECK(strstr(pcvt_last_error(),
-                 ".obj, .ply, .glb, .om, .msh, .vtu, .svg, .png, .foam or .txt") != NULL);
+                 ".obj, .ply, .glb, .om, .msh, .vtu, .svg, .png, .foam, .vti, .csv or .txt") !=
+          NULL);
+    pcvt_free(result);
+}
+
+static void voxels_need_three_counts_and_files_that_have_them(void) {
+    pcvt_options options = space_options_for(8);
+    pcvt_result* result = generated(&options);
+    pcvt_write_options how = {0};
+    how.struct_size = sizeof how;
+    how.voxels[0] = how.voxels[1] = 8;
+    CHECK(pcvt_write(result, "refused.vti", &how) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "three counts, NX,NY,NZ") != NULL);
+    how.voxel_layers = 6;
+    CHECK(pcvt_write(result, "refused.vtu", &how) == PCVT_ERROR_GEOMETRY);
+    CHECK(strstr(pcvt_last_error(), "a number of voxels; add one of .vti") != NULL);
+    CHECK(pcvt_write(result, "space_voxels.vti", &how) == PCVT_OK);
+    CHECK(removes_file("space_voxels.vti") && removes_file("space_voxels.material.yaml"));
+    how.voxels[0] = how.voxels[1] = 0;
+    CHECK(pcvt_write(result, "refused.vti", &how) == PCVT_ERROR_ARGUMENT);
+    how.voxel_layers = 0;
+    how.materials = "GRAINS:200,0.3";
+    CHECK(pcvt_write(result, "space_voxels.vti", &how) == PCVT_OK);
+    CHECK(removes_file("space_voxels.vti") && removes_file("space_voxels.material.yaml"));
+    CHECK(!removes_file("refused.vti"));
     pcvt_free(result);
 }
 
@@ -264,6 +280,7 @@ int main(void) {
     near_sites_are_dropped();
     views_of_the_other_dimension_name_their_function();
     each_field_of_files_in_the_plane_is_refused_by_its_name();
+    voxels_need_three_counts_and_files_that_have_them();
     surfaces_are_for_files_that_have_them();
     tetrahedra_are_for_files_that_hold_them();
     flat_tetrahedra_are_a_matter_of_geometry();

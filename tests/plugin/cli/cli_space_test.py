@@ -305,9 +305,8 @@ class Tetrahedra(CliTest):
 class Refusals(CliTest):
     def test_options_of_the_plane(self):
         for words in (("--density", "1"), ("--symmetry", "p4"), ("--repeat", "2x1"),
-                      ("--outline", "box"), ("--areas", "lognormal:0.3"), ("--walls", "x"), ("--origin", "0,0"),
-                      ("--cells", "t.csv"), ("--budget", "5"),
-                      ("--float32",), ("--phases", "a:1"), ("--aspect", "2:0")):
+                      ("--outline", "box"), ("--areas", "lognormal:0.3"), ("--walls", "x"), ("--budget", "5"),
+                      ("--float32",), ("--aspect", "2:0")):
             self.refuse(2, rf"^pcvt: {words[0]} is not for three dimensions; leave it out, or give two period vectors$",
                         "mesh", "--sites", 8, *CUBE, *words)
 
@@ -318,8 +317,9 @@ class Refusals(CliTest):
                     "mesh", "--sites", 8, *CUBE, "--solver", "newton")
 
     def test_formats_without_volumes(self):
-        for extension in ("inp", "nc", "vti", "csv"):
-            self.refuse(2, rf"^pcvt: -o t\.{extension}: \.{extension} does not support three dimensions; take \.obj, \.ply, \.glb, \.om, \.msh, \.vtu, \.svg, \.png, \.foam or \.txt",
+        for extension in ("inp", "nc", "dxf", "html"):
+            self.refuse(2, rf"^pcvt: -o t\.{extension}: \.{extension} does not support three dimensions; take \.obj, \.ply, \.glb, \.om, "
+                           r"\.msh, \.vtu, \.svg, \.png, \.foam, \.vti, \.csv or \.txt",
                         "mesh", "--sites", 8, *CUBE, "-o", f"t.{extension}")
 
     def test_an_unknown_extension_is_called_unknown(self):

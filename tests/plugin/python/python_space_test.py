@@ -159,6 +159,17 @@ class Files(CliTest):
             result.write(self.path("t.vtu"))
         result.write(self.path("t.vtu"), replace=True)
 
+    def test_voxels_are_those_of_the_command(self):
+        self.succeed("mesh", "--sites", 20, "--period", "1,2,1", "--phases", "a:0.5,b:0.5", "--material", "a:200,0.3",
+                     "--material", "b:3,2,1", "--voxels", "8,12,6", "-o", "a.vti", "--quiet")
+        result = pcvt.mesh(20, ((1, 0, 0), (0, 2, 0), (0, 0, 1)), phases={"a": 0.5, "b": 0.5})
+        result.write(self.path("b.vti"), voxels=(8, 12, 6), materials={"a": (200, 0.3), "b": (3, 2, 1)})
+        for end in (".vti", ".material.yaml"):
+            self.assertEqual(self.path(f"a{end}").read_bytes(), self.path(f"b{end}").read_bytes())
+        result.write(self.path("c.vti"))
+        with self.assertRaisesRegex(pcvt.ArgumentError, "three counts, NX,NY,NZ"):
+            result.write(self.path("d.vti"), voxels=(8, 12))
+
     def test_a_write_and_a_run_can_be_cancelled(self):
         seen = []
         result = pcvt.space(200, tolerance=1e-2, progress=seen.append)
@@ -248,7 +259,7 @@ class Refusals(CliTest):
 
     def test_formats_without_volumes(self):
         result = pcvt.space(3)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "inp does not support three dimensions; take .obj, .ply, .glb, .om, .msh, .vtu, .svg, .png, .foam, .csv or .txt"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "inp does not support three dimensions; take .obj, .ply, .glb, .om, .msh, .vtu, .svg, .png, .foam, .vti, .csv or .txt"):
             result.write(self.path("t.inp"))
 
 

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/base/site_id.hpp"
+
+namespace pcvt {
+
+/// Voxels along x, y and z. In the plane, the layers along z are equal.
+struct VoxelCounts {
+    int x = 0;
+    int y = 0;
+    int z = 1;
+
+    friend bool operator==(const VoxelCounts&, const VoxelCounts&) = default;
+};
+
+/// Solvers by Fourier transforms refuse a single voxel along x.
+inline constexpr int kLeastVoxels = 2;
+inline constexpr int kMostVoxelsOfARow = 1 << 20;
+inline constexpr int kMostVoxels = 1 << 28;
+
+/// The smallest even number of voxels along an axis that is not below `wanted`, within the limits
+/// of an axis.
+///
+/// Example usage:
+///   const int n = even_voxel_count(15.2);  // 16
+int even_voxel_count(double wanted);
+
+/// @throws LimitExceeded  there are more than kMostVoxels voxels, or kMostVoxelsOfARow along an
+///                        axis.
+void require_voxel_limits(VoxelCounts counts);
+
+/// The result of prove_voxels().
+struct VoxelProof {
+    int n_cells;
+    /// The cells that contain the centre of no voxel, by rising id.
+    std::vector<SiteId> unseen;
+    /// The largest distance of a centre from the cell that it names, in units of h.
+    double largest_excess;
+};
+
+/// In units of h, the square root of area / n or the cube root of volume / n: a centre may lie so
+/// far outside of the cell that it names, because positions are rounded in files.
+inline constexpr double kVoxelTolerance = 1e-9;
+
+/// The cells 0 ... n_cells - 1 that no voxel names.
+/// @param sites  those of the voxels, from 0 to n_cells - 1.
+std::vector<SiteId> unseen_cells(const std::vector<SiteId>& sites, int n_cells);
+
+}  // namespace pcvt
