@@ -16,9 +16,8 @@ constexpr double kLeastReduction = 0.1;
 /// residual (Y. Notay 2010).
 constexpr double kSecondStep = 0.25;
 constexpr int kMostProducts = 400;
-/// A pair of rows that are so much more strongly coupled to each other than to all others is merged
-/// first, and not with a second pair at once: sweeps over rows hardly change the mean of such a
-/// pair, so that only a coarse problem with a row of its own for it corrects this mean.
+/// A pair of rows so much more strongly coupled to each other than to all others is merged first,
+/// and with no second pair at once: sweeps hardly change its mean, which needs a coarse row.
 constexpr double kBoundPair = 256;
 
 void remove_mean(Eigen::VectorXd& x) { x.array() -= x.mean(); }
@@ -80,8 +79,21 @@ int LaplacianSolver::bound_partner(const Level& level, int row) {
         strongest = level.conductance[k];
         partner = level.column[k];
     }
-    const double share = 1 - double(strongest) * level.inverse_diagonal[row];
-    return share * kBoundPair < 1 ? partner : -1;
+    const double others = 1 - double(strongest) * level.inverse_diagonal[row];
+    return kBoundPair * others < 1 ? partner : -1;
+}
+
+/// Merges a row without a partner with the pair of the neighbour of the largest conductance.
+void LaplacianSolver::join_neighbour(const Level& level, int row, std::vector<int>& pair,
+                                     int& n_pairs) {
+    int neighbour = -1;
+    float strongest = 0;
+    for (int k = level.row_begin[row]; k < level.row_begin[row + 1]; ++k) {
+        if (level.conductance[k] <= strongest || pair[level.column[k]] < 0) continue;
+        strongest = level.conductance[k];
+        neighbour = level.column[k];
+    }
+    pair[row] = neighbour >= 0 ? pair[neighbour] : n_pairs++;
 }
 
 /// Pairs each row with the remaining neighbour of the largest conductance; with kStrong, bound
@@ -117,18 +129,7 @@ std::vector<int> LaplacianSolver::match_pairs(const Level& level, const std::vec
         if (partner >= 0) pair[partner] = n_pairs;
         ++n_pairs;
     }
-    for (const int row : left) {
-        int neighbour = -1;
-        float strongest = 0;
-        for (int k = level.row_begin[row]; k < level.row_begin[row + 1]; ++k) {
-            const int column = level.column[k];
-            if (level.conductance[k] <= strongest || pair[column] < 0 || is_single(column))
-                continue;
-            strongest = level.conductance[k];
-            neighbour = column;
-        }
-        pair[row] = neighbour >= 0 ? pair[neighbour] : n_pairs++;
-    }
+    for (const int row : left) join_neighbour(level, row, pair, n_pairs);
     return pair;
 }
 
@@ -142,9 +143,9 @@ std::vector<bool> LaplacianSolver::bound_pairs(const Level& fine, const Level& p
             if (fine.aggregate[fine.column[k]] == pair) inner[pair] += double(fine.conductance[k]);
         }
     }
-    std::vector<bool> bound(inner.size());
+    std::vector<bool> bound;
     for (int pair = 0; pair < pairs.n_rows(); ++pair) {
-        bound[std::size_t(pair)] = inner[pair] * pairs.inverse_diagonal[pair] > 2 * kBoundPair;
+        bound.push_back(inner[pair] * pairs.inverse_diagonal[pair] > 2 * kBoundPair);
     }
     return bound;
 }

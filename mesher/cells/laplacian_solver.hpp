@@ -64,6 +64,7 @@ class LaplacianSolver {
 
     static Level finest_level(const CellGraph& graph);
     static int bound_partner(const Level& level, int row);
+    static void join_neighbour(const Level& level, int row, std::vector<int>& pair, int& n_pairs);
     std::vector<int> match_pairs(const Level& level, const std::vector<bool>& single,
                                  int& n_pairs) const;
     static std::vector<bool> bound_pairs(const Level& fine, const Level& pairs);
