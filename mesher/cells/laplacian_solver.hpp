@@ -34,7 +34,8 @@ class LaplacianSolver {
     /// How rows are merged. kPairs: only in pairs, so that rows whose neighbours have partners stay
     /// as they are; where small cells surround large ones, the coarsest problem has some hundred
     /// rows then. kStrong: such rows join their neighbour, and pairs of rows that are much more
-    /// strongly coupled to each other than to all others are merged first.
+    /// strongly coupled to each other than to all others are merged first; a small problem that
+    /// needs many products is solved directly in the end.
     enum class Aggregation { kPairs, kStrong };
 
     /// Builds the hierarchy. O(n).
@@ -64,6 +65,7 @@ class LaplacianSolver {
 
     static Level finest_level(const CellGraph& graph);
     static int bound_partner(const Level& level, int row);
+    static void join_neighbour(const Level& level, int row, std::vector<int>& pair, int& n_pairs);
     std::vector<int> match_pairs(const Level& level, const std::vector<bool>& single,
                                  int& n_pairs) const;
     static std::vector<bool> bound_pairs(const Level& fine, const Level& pairs);
@@ -72,6 +74,7 @@ class LaplacianSolver {
     static void multiply(const Level& level, const Eigen::VectorXd& x, Eigen::VectorXd& y);
     static void smooth_back(const Level& level, const Eigen::VectorXd& b, Eigen::VectorXd& x);
     void factorize_coarsest();
+    static Eigen::LLT<Eigen::MatrixXd> factorized(const Level& level);
     void precondition(std::size_t k, const Eigen::VectorXd& b, Eigen::VectorXd& x);
     void solve_coarse(std::size_t k);
 

@@ -17,6 +17,8 @@ namespace {
 /// A centroidal step over the way to the centroid. With 1 it takes more steps to as round cells;
 /// with 2 sites no longer settle.
 constexpr float kBold = 1.5F;
+/// The tolerance of volumes where sites will move on: centroids need no more.
+constexpr double kPassingTolerance = 1e-4;
 /// The largest difference between the sum of the volumes and the domain, relative.
 constexpr double kSumTolerance = 1e-6;
 
@@ -61,8 +63,7 @@ class VolumeRun {
           options_(options),
           workers_(workers),
           pass_(moving, workers),
-          newton_(moving, workers),
-          tolerance_(volume_tolerance(moving.n_sites())) {}
+          newton_(moving, workers) {}
 
     /// Steps until the limit or the tolerance.
     /// @param targets  by site of the caller.
@@ -90,7 +91,7 @@ class VolumeRun {
         }
         return ordered;
     }
-    RunStatistics measure(const Eigen::VectorXd& targets, int step);
+    RunStatistics measure(const Eigen::VectorXd& targets, int step, double tolerance);
     bool report(const RunStatistics& now) const;
     bool move();
 
@@ -102,17 +103,16 @@ class VolumeRun {
     VolumeNewton newton_;
     PowerCells cells_;
     SizeFigures figures_;
-    double tolerance_;
     double largest_error_ = 0;
 };
 
 /// Finds the weights at the present position, and the figures of the cells.
-RunStatistics VolumeRun::measure(const Eigen::VectorXd& targets, int step) {
-    const SizeFigures now = newton_.solve(targets, tolerance_, options_.newton_progress);
+RunStatistics VolumeRun::measure(const Eigen::VectorXd& targets, int step, double tolerance) {
+    const SizeFigures now = newton_.solve(targets, tolerance, options_.newton_progress);
     figures_.largest_relative_error = now.largest_relative_error;
     figures_.rounding = now.rounding;
     largest_error_ = (newton_.sizes() - targets).cwiseAbs().maxCoeff() / targets.mean();
-    figures_.converged = now.converged || largest_error_ <= tolerance_;
+    figures_.converged = now.converged || largest_error_ <= tolerance;
     figures_.newton_steps += now.newton_steps;
     figures_.products += now.products;
     figures_.trials += now.trials;
@@ -159,16 +159,20 @@ RunStatistics VolumeRun::run(const Eigen::VectorXd& targets) {
     Eigen::VectorXd ordered(targets.size());
     for (SiteId s = 0; s < moving_.n_sites(); ++s) ordered[s] = targets[moving_.original_id(s)];
     ordered *= moving_.frame().volume() / ordered.sum();
+    const double tolerance = volume_tolerance(moving_.n_sites());
     const int limit = options_.run.max_iterations;
     for (int step = 0;; ++step) {
-        RunStatistics now = measure(ordered, step);
-        if (!report(now)) now.stop = Stop::kCancelled;
-        const bool at_end = step == limit || (limit < 0 && now.stop == Stop::kConverged);
-        if (at_end || now.stop == Stop::kCancelled) return now;
-        if (!move()) {
-            now.stop = Stop::kStalled;
-            return now;
+        const bool is_last = step == limit;
+        RunStatistics now = measure(ordered, step, is_last ? tolerance : kPassingTolerance);
+        const bool cancelled = !report(now);
+        const bool at_rest = limit < 0 && now.stop == Stop::kConverged;
+        if (!is_last && !cancelled && !at_rest && move()) continue;
+        if (!is_last) {
+            now = measure(ordered, step, tolerance);
+            if (!cancelled && !at_rest) now.stop = Stop::kStalled;
         }
+        if (cancelled) now.stop = Stop::kCancelled;
+        return now;
     }
 }
 

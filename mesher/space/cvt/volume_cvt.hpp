@@ -26,7 +26,8 @@ struct VolumeCvtOptions {
     /// the centroid of its cell, whose weight follows. 0: the sites stay. Negative: steps until the
     /// largest |x_i - g_i| / h is at most the tolerance. The solver is not used.
     RunOptions run = {.max_iterations = 0};
-    /// Called with the figures of the weights of each position, as SizeNewton::solve does.
+    /// Called with the figures of the weights of each position, as SizeNewton::solve does. Before
+    /// the last position volumes are exact to 1e-4.
     NewtonCallback newton_progress = {};
 };
 

@@ -17,8 +17,8 @@ std::int8_t narrow(int x) {
 /// An image in one number: its site, then the components of its offset, all non-negative.
 std::uint64_t packed(const Corner& corner, Offset frame) {
     constexpr int kBits = 12;
-    constexpr int kBias = 1 << (kBits - 1);
-    const auto biased = [](int x) { return static_cast<std::uint64_t>(x + kBias); };
+    constexpr std::uint64_t kBias = 1U << (kBits - 1);
+    const auto biased = [](int x) { return static_cast<std::uint64_t>(x) + kBias; };
     const Offset o = corner.offset + frame;
     return static_cast<std::uint64_t>(corner.site) << (3 * kBits) | biased(o.i) << (2 * kBits) |
            biased(o.j) << kBits | biased(o.k);
@@ -65,6 +65,51 @@ class OpenFacets {
     std::array<OpenFacet, std::size_t{4} * TorusTetrahedra::kMostReplaced> facets_;
     int n_ = 0;
 };
+
+/// Facets that become opposite to each other.
+struct FacetLinks {
+    std::array<std::pair<int, int>, std::size_t{4} * TorusTetrahedra::kMostReplaced> pairs;
+    std::size_t n = 0;
+
+    void add(int facet, int other) { pairs[n++] = {facet, other}; }
+};
+
+/// Links the facets of new tetrahedra, with these numbers, to each other and to the facets beyond
+/// the outer facets of the old ones.
+FacetLinks links_of(std::span<const Tetrahedron> fresh, std::span<const int> numbers,
+                    OpenFacets outer, const std::vector<int>& opposite) {
+    FacetLinks links;
+    FacetLinks renumbered;
+    OpenFacets open;
+    for (std::size_t t = 0; t < fresh.size(); ++t) {
+        const auto corners = packed(fresh[t], {});
+        for (int k = 0; k < 4; ++k) {
+            const OpenFacet facet = open_facet(corners, k, 4 * numbers[t] + k);
+            if (const int before = outer.take(facet); before >= 0) {
+                renumbered.add(before, facet.number);
+            } else if (const int other = open.take(facet); other >= 0) {
+                links.add(facet.number, other);
+            } else {
+                open.add(facet);
+            }
+        }
+    }
+    if (!outer.empty() || !open.empty()) {
+        throw InternalError("new tetrahedra do not fill the place of the old ones");
+    }
+    // For few sites an outer facet may lie beyond another.
+    for (std::size_t k = 0; k < renumbered.n; ++k) {
+        int beyond = opposite[renumbered.pairs[k].first];
+        for (std::size_t m = 0; m < renumbered.n; ++m) {
+            if (renumbered.pairs[m].first == beyond) {
+                beyond = renumbered.pairs[m].second;
+                break;
+            }
+        }
+        links.add(renumbered.pairs[k].second, beyond);
+    }
+    return links;
+}
 
 /// A facet as all its translates have it: sorted, and relative to its first corner.
 using FacetKey = std::array<Corner, 3>;
@@ -201,46 +246,14 @@ bool TorusTetrahedra::replace(std::span<const Placed> old, std::span<const Tetra
             if (outer.take(facet) < 0) outer.add(facet);
         }
     }
-    // Link the new tetrahedra to each other and to the facets beyond the outer facets.
     while (numbers.size() < fresh.size()) {
         numbers.push_back(n_tetrahedra());
         offsets_.emplace_back();
         sites_.resize(sites_.size() + 4);
         opposite_.resize(opposite_.size() + 4, -1);
     }
-    std::array<std::pair<int, int>, std::size_t{4} * kMostReplaced> renumbered;
-    std::array<std::pair<int, int>, std::size_t{4} * kMostReplaced> links;
-    std::size_t n_renumbered = 0;
-    std::size_t n_links = 0;
-    OpenFacets open;
-    for (std::size_t t = 0; t < fresh.size(); ++t) {
-        const auto corners = packed(fresh[t], {});
-        for (int k = 0; k < 4; ++k) {
-            const OpenFacet facet = open_facet(corners, k, 4 * numbers[t] + k);
-            if (const int before = outer.take(facet); before >= 0) {
-                renumbered[n_renumbered++] = {before, facet.number};
-            } else if (const int other = open.take(facet); other >= 0) {
-                links[n_links++] = {facet.number, other};
-            } else {
-                open.add(facet);
-            }
-        }
-    }
-    if (!outer.empty() || !open.empty()) {
-        throw InternalError("new tetrahedra do not fill the place of the old ones");
-    }
-    // For few sites an outer facet may lie beyond another.
-    for (std::size_t k = 0; k < n_renumbered; ++k) {
-        int beyond = opposite_[renumbered[k].first];
-        for (std::size_t m = 0; m < n_renumbered; ++m) {
-            if (renumbered[m].first == beyond) {
-                beyond = renumbered[m].second;
-                break;
-            }
-        }
-        links[n_links++] = {renumbered[k].second, beyond};
-    }
-    for (std::size_t k = 0; k < n_links; ++k) link(links[k].first, links[k].second);
+    const FacetLinks links = links_of(fresh, numbers, outer, opposite_);
+    for (std::size_t k = 0; k < links.n; ++k) link(links.pairs[k].first, links.pairs[k].second);
     for (std::size_t t = 0; t < fresh.size(); ++t) set_tetrahedron(numbers[t], fresh[t]);
     close_gaps(numbers, fresh.size());
     return true;

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <random>
+#include <tuple>
+#include <vector>
 
 namespace pcvt {
 namespace {
@@ -63,6 +65,66 @@ TEST(LaplacianSolver, NeedsFewProductsForAnySizeAndContrast) {
             EXPECT_LE(n_products, 40) << columns << " x " << rows << " spread " << spread;
         }
     }
+}
+
+CellGraph graph_of(int n, const std::vector<std::tuple<int, int, double>>& edges) {
+    CellGraph graph{.row_begin = {0}, .neighbour = {}, .conductance = {}};
+    for (int row = 0; row < n; ++row) {
+        for (const auto& [s, t, c] : edges) {
+            if (s != row && t != row) continue;
+            graph.neighbour.push_back(s == row ? t : s);
+            graph.conductance.push_back(c);
+        }
+        graph.row_begin.push_back(static_cast<int>(graph.neighbour.size()));
+    }
+    return graph;
+}
+
+int products_to_solve(const CellGraph& graph, LaplacianSolver::Aggregation aggregation) {
+    std::mt19937_64 random(2);
+    std::normal_distribution<double> normal;
+    Eigen::VectorXd b(graph.n_rows());
+    for (double& x : b) x = normal(random);
+    b.array() -= b.mean();
+    Eigen::VectorXd x;
+    const int n_products = LaplacianSolver(graph, aggregation).solve(b, 1e-5, x);
+    const bool solved = (product(graph, x) - b).norm() < 2e-5 * b.norm();
+    return solved ? n_products : -1;
+}
+
+// Two sites at a tiny distance, many times, in another order than their neighbours.
+TEST(LaplacianSolver, MergesBoundPairsFirst) {
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> uniform(0.5, 2);
+    const int n = 400;
+    std::vector<std::tuple<int, int, double>> edges;
+    for (int s = 0; s < n; ++s) {
+        for (const int step : {1, 20}) edges.emplace_back(s, (s + step) % n, uniform(random));
+    }
+    for (int s = 0; s < n / 2; s += 2) edges.emplace_back(s, n - 1 - s, 1e6 * uniform(random));
+    const CellGraph graph = graph_of(n, edges);
+    const int n_products = products_to_solve(graph, LaplacianSolver::Aggregation::kStrong);
+    EXPECT_GT(n_products, 0);
+    EXPECT_LE(n_products, 60);
+    const int of_pairs = products_to_solve(graph, LaplacianSolver::Aggregation::kPairs);
+    EXPECT_TRUE(of_pairs < 0 || of_pairs > 2 * n_products) << of_pairs;
+}
+
+// Large cells with thousands of small ones round them leave most rows without a partner.
+TEST(LaplacianSolver, LetsRowsWithoutPartnersJoinTheirNeighbour) {
+    std::mt19937_64 random(4);
+    std::uniform_real_distribution<double> uniform(0.5, 2);
+    std::vector<std::tuple<int, int, double>> edges;
+    const int n_large = 4;
+    const int n = 3000;
+    for (int s = 0; s < n_large; ++s) edges.emplace_back(s, (s + 1) % n_large, uniform(random));
+    for (int s = n_large; s < n; ++s) edges.emplace_back(s % n_large, s, uniform(random));
+    const CellGraph graph = graph_of(n, edges);
+    const int n_products = products_to_solve(graph, LaplacianSolver::Aggregation::kStrong);
+    EXPECT_GT(n_products, 0);
+    EXPECT_LE(n_products, 10);
+    const int of_pairs = products_to_solve(graph, LaplacianSolver::Aggregation::kPairs);
+    EXPECT_TRUE(of_pairs < 0 || of_pairs > n_products) << of_pairs;
 }
 
 TEST(LaplacianSolver, LeavesRowsWithoutNeighboursAlone) {

@@ -83,7 +83,7 @@ void expect_volumes(const Sites& sites, const std::string& name, const VolumeCvt
     const double of_mean = (result.cell_volumes - result.targets).cwiseAbs().maxCoeff() / mean;
     // The volume of an unreduced lattice has a rounding of its own.
     ASSERT_NEAR(of_mean, result.largest_error, 1e-10);
-    const bool by_rounding = result.largest_error > 1e-10;
+    const bool by_rounding = std::min(result.largest_error, largest_error(result)) > 1.01e-10;
     if (by_rounding) {
         ASSERT_LE(result.volumes.largest_relative_error, result.volumes.rounding);
     }
@@ -94,7 +94,9 @@ void expect_volumes(const Sites& sites, const std::string& name, const VolumeCvt
     const Eigen::VectorXd& weights = regular.weights;
     ASSERT_NEAR(weights.sum(), 0, 1e-12 * weights.cwiseAbs().maxCoeff() * sites.n_sites());
     testing::expect_torus(regular.tetrahedra, regular.sites.coordinates());
-    if (has_exact_mirrors(name) && sites.n_sites() <= 60) {
+    // Where many sites are cospherical, exact numbers make the mirrors slow.
+    const int most_mirrored = name.find("random sites") != std::string::npos ? 60 : 12;
+    if (has_exact_mirrors(name) && sites.n_sites() <= most_mirrored) {
         ++campaign.n_mirrors;
         const auto mirrors = testing::space_power_mirrors(regular.sites, weights);
         ASSERT_TRUE(mirrors.hidden.empty());
