@@ -273,6 +273,21 @@ def check_space_grains(folder, text):
     require("grains.vtu: a periodic tile of polyhedra: 500 cells" in text, "check does not accept the cells")
 
 
+def check_space_sizes(folder, text):
+    with open(folder / "sizes.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    diameters = [float(row["diameter"]) for row in rows]
+    mean = sum(diameters) / len(rows)
+    spread = math.sqrt(sum((d - mean) ** 2 for d in diameters) / len(rows)) / mean
+    require(abs(spread - 0.35) < 0.04, f"the diameters have std / mean {spread}")
+    require("sizes.vtu: a periodic tile of polyhedra: 1000 cells" in text, "check does not accept the cells")
+
+
+def check_space_voxels(folder, text):
+    require(re.search(r"^grains\.vti: ", text, re.M), "check does not accept grains.vti")
+    require_files(folder, "grains.material.yaml")
+
+
 def check_balls(folder, text):
     require_files(folder, "cells.csv")
     require("balls.vtu: a periodic tile of polyhedra: 4 cells" in text and ", power cells of 4 sites" in text,
