@@ -298,6 +298,13 @@ typedef struct pcvt_options {
     int32_t reserved5;
 
     double origin_z; /**< in three dimensions: the third coordinate of `origin` [0] */
+
+    const double* volumes;  /**< in three dimensions: n_volumes volumes of the cells in any unit,
+                               scaled to the volume of the domain, one a site; NULL: none */
+    const char* volume_law; /**< in three dimensions: "equal", "lognormal:S" or "gamma:S", as
+                               area_law, in place of `volumes`; NULL: none */
+    int32_t n_volumes;      /**< n_sites, or 0 where `volumes` is NULL [0] */
+    int32_t reserved6;
 } pcvt_options;
 
 /** The optimised sites. */
@@ -441,6 +448,8 @@ typedef struct pcvt_cells {
     const int32_t* phases;          /**< n_cells indices into phase_names; NULL without phases */
     const char* const* phase_names; /**< n_phases names; NULL without phases */
     const double* orientations;     /**< n_cells triples phi1, Phi, phi2 in degrees, or NULL */
+    const double*
+        weights; /**< n_cells numbers, length^2, as in pcvt_sites; NULL of Voronoi cells */
 } pcvt_cells;
 
 /** Statistics of a run. */

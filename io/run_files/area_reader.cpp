@@ -30,7 +30,7 @@ double parse_size(TableScanner& scanner, std::size_t column, bool is_first) {
 }
 
 /// Refuses a table without a header that has several columns, none of which is named.
-void require_one_word(const TableScanner& scanner, const TableName& name) {
+void require_one_word(const TableScanner& scanner, const TableName& name, const std::string& word) {
     const std::size_t n = scanner.fields().size();
     if (n == 1) return;
     const std::string named = "name a column, such as " + with_columns(name, name.prefix, "2");
@@ -42,8 +42,8 @@ void require_one_word(const TableScanner& scanner, const TableName& name) {
                        "columns " +
                        named);
     }
-    scanner.refuse("this line has " + std::to_string(n) + " words; write one area a line, or " +
-                   named);
+    scanner.refuse("this line has " + std::to_string(n) + " words; write one " + word +
+                   " a line, or " + named);
 }
 
 /// Refuses column 1 of "0,5", which is rather one number than two columns.
@@ -72,57 +72,78 @@ std::string description(const TableScanner& scanner, const TableName& name,
     return size_words(sizes.kind).plural + place_in_words(scanner, name, sizes.column);
 }
 
-Eigen::VectorXd areas_of(const std::vector<double>& sizes, SizeKind kind) {
-    Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(sizes.data(), std::ssize(sizes));
-    if (kind == SizeKind::kDiameter) return areas_of_diameters(values);
-    if (kind == SizeKind::kRadius) return areas_of_diameters(2 * values);
-    return values;
+/// The areas, or the volumes, of a column.
+Eigen::VectorXd sizes_of(const std::vector<double>& column, SizeKind kind,
+                         const SizeOption& option) {
+    Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(column.data(), std::ssize(column));
+    if (kind == option.plain) return values;
+    if (kind == SizeKind::kRadius) values *= 2;
+    return option.plain == SizeKind::kVolume ? volumes_of_diameters(values)
+                                             : areas_of_diameters(values);
 }
 
 BadFile at_line(const AreaFile& file, int line, const std::string& complaint) {
     return BadFile(file.name + ":" + std::to_string(line) + ": " + complaint);
 }
 
-}  // namespace
-
-AreaFile parse_areas(const TableName& name, std::string_view text) {
-    refuse_binary(name.path, text, "give a text with one area a line");
+/// Reads a table of sizes for an option.
+AreaFile parse_sizes(const TableName& name, std::string_view text, const SizeOption& option) {
+    const std::string word(size_words(option.plain).prefix);
+    refuse_binary(name.path, text, "give a text with one " + word + " a line");
     AreaFile file{.name = name.path};
     TableScanner scanner(name.path, text);
     std::vector<double> sizes;
     if (scanner.n_columns() > 0) {
-        const SizeColumn found = find_sizes(scanner, name);
+        const SizeColumn found = find_sizes(scanner, name, option);
         const bool is_unnamed = name.columns.empty() && !scanner.has_header();
         while (scanner.next()) {
-            if (is_unnamed) require_one_word(scanner, name);
+            if (is_unnamed) require_one_word(scanner, name, word);
             if (sizes.empty()) refuse_decimal_commas(scanner, found.column);
             sizes.push_back(parse_size(scanner, found.column, sizes.empty()));
             file.lines.push_back(scanner.line());
         }
-        file.areas = areas_of(sizes, found.kind);
+        file.areas = sizes_of(sizes, found.kind, option);
         file.description = description(scanner, name, found);
     }
     if (sizes.empty()) {
-        throw BadFile(name.path + ": holds no area; give one a line, one for each site");
+        throw BadFile(name.path + ": holds no " + word + "; give one a line, one for each site");
     }
     return file;
+}
+
+}  // namespace
+
+AreaFile parse_areas(const TableName& name, std::string_view text) {
+    return parse_sizes(name, text, kAreaOption);
+}
+
+AreaFile parse_volumes(const TableName& name, std::string_view text) {
+    return parse_sizes(name, text, kVolumeOption);
 }
 
 AreaFile read_areas(const TableName& name) {
     return parse_areas(name, read_whole_file(name.path, kSiteInput));
 }
 
+AreaFile read_volumes(const TableName& name) {
+    return parse_volumes(name, read_whole_file(name.path, kSiteInput));
+}
+
+TableName volume_table(const std::string& text) {
+    return parse_table_name(text, {"volume", "diameter", "radius"});
+}
+
 TableName area_table(const std::string& text) {
     return parse_table_name(text, {"area", "diameter", "radius"});
 }
 
-void require_areas(const AreaFile& file, int n_sites) {
-    require_one_row_a_site(file.name, file.lines, n_sites, "area");
+void require_areas(const AreaFile& file, int n_sites, const std::string& word) {
+    require_one_row_a_site(file.name, file.lines, n_sites, word);
     Eigen::Index smallest = 0;
     const Eigen::VectorXd relative = file.areas / file.areas.maxCoeff();
     if (relative.minCoeff(&smallest) >= kLeastArea * relative.mean()) return;
     throw at_line(file, file.lines[static_cast<std::size_t>(smallest)],
-                  "the area is below 1e-6 of the mean; give a larger one");
+                  "the " + word + " is below 1e-6 of the mean; give a larger one");
 }
 
 }  // namespace pcvt

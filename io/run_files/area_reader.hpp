@@ -28,20 +28,25 @@ struct AreaFile {
     std::string description = {};
 };
 
-/// Reads [area:|diameter:|radius:]FILE[:COLUMN].
+/// Reads [area:|diameter:|radius:]FILE[:COLUMN], with volume: in place of area: for volumes.
 TableName area_table(const std::string& text);
+TableName volume_table(const std::string& text);
 
 /// Reads one area a row, or one equivalent diameter or radius as the header or the prefix says:
 /// a table as TableScanner takes it, with the column that find_sizes() finds.
 /// @throws BadFile with the line for any other text and for numbers that are not between 1e-150 and
 ///         1e150.
 AreaFile parse_areas(const TableName& name, std::string_view text);
+/// The same for volumes: AreaFile::areas are volumes, diameters have become those of balls.
+AreaFile parse_volumes(const TableName& name, std::string_view text);
 
-/// Reads the areas of a regular file.
+/// Reads the areas, or the volumes, of a regular file.
 AreaFile read_areas(const TableName& name);
+AreaFile read_volumes(const TableName& name);
 
 /// Requires one area for each site, and that none is below kLeastArea of their mean.
 /// @throws BadFile naming the line.
-void require_areas(const AreaFile& file, int n_sites);
+/// @param word  of a size in messages: "area", "volume".
+void require_areas(const AreaFile& file, int n_sites, const std::string& word = "area");
 
 }  // namespace pcvt

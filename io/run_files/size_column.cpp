@@ -45,7 +45,13 @@ constexpr std::array kSizeNames{SizeName{"area", SizeKind::kArea},
                                 SizeName{"radii", SizeKind::kRadius},
                                 SizeName{"equivalentradius", SizeKind::kRadius},
                                 SizeName{"volume", SizeKind::kVolume},
-                                SizeName{"volumes", SizeKind::kVolume}};
+                                SizeName{"volumes", SizeKind::kVolume},
+                                SizeName{"grainvolume", SizeKind::kVolume},
+                                SizeName{"cellvolume", SizeKind::kVolume},
+                                SizeName{"esd", SizeKind::kDiameter},
+                                SizeName{"equivalentspherediameter", SizeKind::kDiameter},
+                                SizeName{"equivalentsphericaldiameter", SizeKind::kDiameter},
+                                SizeName{"sphereequivalentdiameter", SizeKind::kDiameter}};
 /// Parts of names that state a size if the name holds no other one, such as "Feret diameter". They
 /// count only in columns that the user has named.
 constexpr std::array kSizeParts{
@@ -80,41 +86,43 @@ constexpr std::array kForeignSizes{
 
 /// The prefix of a column that states its size, or that may do so in another language; empty for
 /// others.
-std::string suggested_prefix(std::string_view column) {
+std::string suggested_prefix(std::string_view column, const SizeOption& option) {
     if (const std::optional<SizeKind> stated = stated_size(column)) {
-        return *stated == SizeKind::kVolume ? "" : std::string(size_words(*stated).prefix);
+        return *stated == option.foreign ? "" : std::string(size_words(*stated).prefix);
     }
     const std::string name = comparable_name(column);
     for (const ForeignSize& size : kForeignSizes) {
         const std::size_t begin = name.find(size.begin);
         if (begin == std::string::npos) continue;
-        if (name.find(size.later, begin + size.begin.size()) != std::string::npos) {
-            return size.prefix;
-        }
+        if (name.find(size.later, begin + size.begin.size()) == std::string::npos) continue;
+        return size.prefix == size_words(option.foreign).prefix ? "" : size.prefix;
     }
     return {};
 }
 
 /// The options that a user may paste for the columns that seem to hold sizes; else for the last one
 /// as either size.
-/// @param has_volumes  whether a column holds volumes, which may be the last one.
-std::string suggested_options(const TableScanner& scanner, const TableName& name,
-                              bool has_volumes) {
+/// @param has_foreign  whether a column holds sizes of the other dimension, which may be the last
+/// one.
+std::string suggested_options(const TableScanner& scanner, const TableName& name, bool has_foreign,
+                              const SizeOption& option) {
+    const std::string plain(size_words(option.plain).prefix);
+    const std::string word = std::string(option.option) + " ";
     std::string text;
     const auto append = [&](const std::string& prefix, std::size_t column) {
-        text += (text.empty() ? "--areas " : " or --areas ") +
-                with_columns(name, prefix, scanner.typed(column));
+        text +=
+            (text.empty() ? "" : " or ") + word + with_columns(name, prefix, scanner.typed(column));
     };
     for (std::size_t k = 0; k < scanner.n_columns(); ++k) {
-        const std::string prefix = suggested_prefix(scanner.header()[k].name);
+        const std::string prefix = suggested_prefix(scanner.header()[k].name, option);
         if (!prefix.empty()) append(prefix, k);
     }
     if (!text.empty()) return text;
-    if (has_volumes) {
-        return "--areas " + with_columns(name, "area", "COLUMN") + " or --areas " +
+    if (has_foreign) {
+        return word + with_columns(name, plain, "COLUMN") + " or " + word +
                with_columns(name, "diameter", "COLUMN");
     }
-    append("area", scanner.n_columns() - 1);
+    append(plain, scanner.n_columns() - 1);
     append("diameter", scanner.n_columns() - 1);
     return text;
 }
@@ -128,14 +136,14 @@ std::optional<SizeKind> prefix_size(const std::string& prefix) {
 
 /// The only column of the header that may hold the sizes.
 std::size_t only_candidate(const TableScanner& scanner, const TableName& name,
-                           const std::optional<SizeKind>& wanted) {
+                           const std::optional<SizeKind>& wanted, const SizeOption& option) {
     std::vector<std::size_t> found;
-    bool has_volumes = false;
+    bool has_foreign = false;
     for (std::size_t k = 0; k < scanner.n_columns(); ++k) {
         const std::optional<SizeKind> kind = stated_size(scanner.header()[k].name);
         if (!kind || (wanted && kind != wanted)) continue;
-        has_volumes = has_volumes || kind == SizeKind::kVolume;
-        if (kind != SizeKind::kVolume) found.push_back(k);
+        has_foreign = has_foreign || kind == option.foreign;
+        if (kind != option.foreign) found.push_back(k);
     }
     if (found.size() == 1) return found.front();
     if (found.empty() && scanner.n_columns() == 1) return 0;
@@ -145,25 +153,29 @@ std::size_t only_candidate(const TableScanner& scanner, const TableName& name,
                               scanner.label(found[1]) + " hold sizes; name one, such as " +
                               with_columns(name, name.prefix, first));
     }
-    scanner.refuse_header(std::string(has_volumes ? "cells in the plane have areas, not volumes"
-                                                  : "no column is called area or diameter") +
-                          "; name the column of sizes of " + scanner.listed_columns() + ": " +
-                          suggested_options(scanner, name, has_volumes));
+    const std::string plain(size_words(option.plain).prefix);
+    scanner.refuse_header(
+        (has_foreign ? option.why : "no column is called " + plain + " or diameter") +
+        "; name the column of sizes of " + scanner.listed_columns() + ": " +
+        suggested_options(scanner, name, has_foreign, option));
 }
 
 /// The column that the name of the table gives; else with a header the only candidate, without one
 /// the first.
 std::size_t chosen_column(TableScanner& scanner, const TableName& name,
-                          const std::optional<SizeKind>& wanted) {
+                          const std::optional<SizeKind>& wanted, const SizeOption& option) {
     if (!name.columns.empty()) return scanner.choose(name.columns).front();
-    return scanner.has_header() ? only_candidate(scanner, name, wanted) : 0;
+    return scanner.has_header() ? only_candidate(scanner, name, wanted, option) : 0;
 }
 
 [[noreturn]] void refuse_unstated(const TableScanner& scanner, const TableName& name,
-                                  std::size_t column) {
+                                  std::size_t column, const SizeOption& option) {
     const std::string text = name.columns.empty() ? "" : name.columns.front();
-    scanner.refuse_header(scanner.label(column) + " may hold areas or diameters; write --areas " +
-                          with_columns(name, "area", text) + " or --areas " +
+    const SizeWords& plain = size_words(option.plain);
+    const std::string word = std::string(option.option) + " ";
+    scanner.refuse_header(scanner.label(column) + " may hold " + plain.plural +
+                          " or diameters; write " + word +
+                          with_columns(name, std::string(plain.prefix), text) + " or " + word +
                           with_columns(name, "diameter", text) + scanner.title_remedy());
 }
 
@@ -182,27 +194,28 @@ std::optional<SizeKind> stated_size(std::string_view column) {
     return std::nullopt;
 }
 
-SizeColumn find_sizes(TableScanner& scanner, const TableName& name) {
+SizeColumn find_sizes(TableScanner& scanner, const TableName& name, const SizeOption& option) {
     if (name.columns.size() > 1) {
         scanner.refuse_header("sizes are one column, not " + std::to_string(name.columns.size()) +
                               "; write " + with_columns(name, name.prefix, name.columns.front()));
     }
     const std::optional<SizeKind> wanted = prefix_size(name.prefix);
-    const std::size_t column = chosen_column(scanner, name, wanted);
-    if (!scanner.has_header()) return {column, wanted.value_or(SizeKind::kArea)};
+    const std::size_t column = chosen_column(scanner, name, wanted, option);
+    if (!scanner.has_header()) return {column, wanted.value_or(option.plain)};
     const std::optional<SizeKind> stated = hinted_size(scanner.header()[column].name);
     if (wanted && stated && wanted != stated) {
         scanner.refuse_header(scanner.label(column) + " holds " + size_words(*stated).plural +
                               ", but the file is given as " + size_words(*wanted).plural +
                               "; remove " + name.prefix + ":");
     }
-    if (!wanted && !stated) refuse_unstated(scanner, name, column);
+    if (!wanted && !stated) refuse_unstated(scanner, name, column, option);
     const SizeKind kind = wanted ? *wanted : *stated;
-    if (kind == SizeKind::kVolume) {
-        scanner.refuse_header(scanner.label(column) +
-                              " holds volumes, but cells in the plane have areas; name a column of "
-                              "areas or diameters, " +
-                              with_columns(name, "", "COLUMN"));
+    if (kind == option.foreign) {
+        scanner.refuse_header(scanner.label(column) + " holds " + size_words(kind).plural +
+                              ", but " +
+                              std::string(option.why).substr(0, std::string(option.why).find(',')) +
+                              "; name a column of " + size_words(option.plain).plural +
+                              " or diameters, " + with_columns(name, "", "COLUMN"));
     }
     return {column, kind};
 }

@@ -105,22 +105,24 @@ std::optional<plane::PlaneGroupName> symmetry(std::int32_t value) {
     return chosen_row("symmetry", value, plane::kPlaneGroups).name;
 }
 
-std::optional<TargetSizes> target_sizes(const pcvt_options& options) {
-    if (options.areas != nullptr && options.area_law != nullptr) {
-        throw InvalidInput("areas and area_law exclude each other; leave one out");
+/// Sizes that a host gives or draws, by the names of their three fields.
+std::optional<TargetSizes> target_sizes(const std::string& given, const std::string& law,
+                                        const double* sizes, std::int32_t n, const char* drawn,
+                                        std::int32_t n_sites) {
+    const std::string word = given.substr(0, given.size() - 1);
+    if (sizes != nullptr && drawn != nullptr) {
+        throw InvalidInput(given + " and " + law + " exclude each other; leave one out");
     }
-    if (options.area_law != nullptr) {
-        return TargetSizes{.law = parse_area_law(options.area_law), .name = options.area_law};
+    if (drawn != nullptr) return TargetSizes{.law = parse_area_law(drawn), .name = drawn};
+    if (sizes == nullptr) {
+        if (n == 0) return std::nullopt;
+        throw InvalidInput("n_" + given + " is not 0, but " + given +
+                           " is a null pointer; give both");
     }
-    if (options.areas == nullptr) {
-        if (options.n_areas == 0) return std::nullopt;
-        throw InvalidInput("n_areas is not 0, but areas is a null pointer; give both");
+    if (n != n_sites) {
+        throw InvalidInput("n_" + given + " is not n_sites; give one " + word + " for each site");
     }
-    if (options.n_areas != options.n_sites) {
-        throw InvalidInput("n_areas is not n_sites; give one area for each site");
-    }
-    return TargetSizes{.given = Eigen::Map<const Eigen::VectorXd>(options.areas, options.n_areas),
-                       .name = "given"};
+    return TargetSizes{.given = Eigen::Map<const Eigen::VectorXd>(sizes, n), .name = "given"};
 }
 
 std::optional<Aspect> aspect(const pcvt_options& options) {
@@ -290,7 +292,10 @@ Job make_job(const pcvt_options& options) {
         throw InvalidInput("find_origin is neither 0 nor 1");
     }
     job.tile.finds_origin = options.find_origin == 1;
-    job.sizes = target_sizes(options);
+    job.sizes = in_space ? target_sizes("volumes", "volume_law", options.volumes, options.n_volumes,
+                                        options.volume_law, options.n_sites)
+                         : target_sizes("areas", "area_law", options.areas, options.n_areas,
+                                        options.area_law, options.n_sites);
     job.weights = given_weights(options);
     job.aspect = aspect(options);
     job.symmetry = symmetry(options.symmetry);

@@ -94,6 +94,7 @@ pcvt_cells SpaceResult::cells() const {
     view.volumes = more.volumes.data();
     view.site_points = made.sites.data();
     show_materials(view);
+    if (made.weights.size() > 0) view.weights = made.weights.data();
     view.sites = more.sites.data();
     view.n_cells = mesh.n_cells;
     view.n_faces = mesh.n_faces();

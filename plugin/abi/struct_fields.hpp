@@ -57,7 +57,10 @@ inline constexpr std::array kOptionFields{
     struct_field<&pcvt_options::weights>("weights"),
     struct_field<&pcvt_options::site_phases>("site_phases"),
     struct_field<&pcvt_options::n_site_phases>("n_site_phases"),
-    struct_field<&pcvt_options::origin_z>("origin_z")};
+    struct_field<&pcvt_options::origin_z>("origin_z"),
+    struct_field<&pcvt_options::volumes>("volumes"),
+    struct_field<&pcvt_options::volume_law>("volume_law"),
+    struct_field<&pcvt_options::n_volumes>("n_volumes")};
 
 inline constexpr std::array kWriteFields{
     struct_field<&pcvt_write_options::report>("report"),

@@ -43,19 +43,24 @@ void read_density(const CLI::App& app, const CellOptions& options, Job& job) {
 }
 
 /// A law, or the name of a file.
-TargetSizes target_sizes(const std::string& text) {
+/// @param option  "--areas" or "--volumes".
+TargetSizes target_sizes(const std::string& option, const std::string& text) {
+    const bool in_space = option == "--volumes";
+    const char* const word = in_space ? "volume" : "area";
     if (names_area_law(text)) {
         try {
             return {.law = parse_area_law(text), .name = text};
         } catch (const InvalidInput& error) {
-            throw InvalidInput("--areas " + std::string(error.what()));
+            throw InvalidInput(option + " " + error.what());
         }
     }
     std::error_code unknown;
-    if (text.empty() || !std::filesystem::exists(area_table(text).path, unknown)) {
-        throw InvalidInput("--areas " + (text.empty() ? "''" : text) +
+    const TableName table = in_space ? volume_table(text) : area_table(text);
+    if (text.empty() || !std::filesystem::exists(table.path, unknown)) {
+        throw InvalidInput(option + " " + (text.empty() ? "''" : text) +
                            ": neither a law nor a file; take equal, lognormal:S, gamma:S or a file "
-                           "with one area a line");
+                           "with one " +
+                           word + " a line");
     }
     return {.name = text};
 }
@@ -94,6 +99,11 @@ void add_cell_options(CLI::App& app, CellOptions& options, Job& job) {
         "diameter or radius as its header or diameter:FILE says, scaled to\n"
         "the area of the domain, which with --period auto is their sum; see\n"
         "--max-iterations");
+    add("--volumes", options.volumes, "equal|lognormal:S|gamma:S|FILE[:COLUMN]",
+        "in space, cells of prescribed volumes, as --areas: a law of the\n"
+        "equivalent diameter, whose largest volumes begin at the largest cells,\n"
+        "or a table of volumes, diameters or radii; --max-iterations K steps\n"
+        "make the grains round [5]");
     add("--weights", options.weights, "FILE[:COLUMN]",
         "the power cells (Laguerre cells) of the sites of --input: one weight a\n"
         "line, a length squared, or below the header radius a radius; needs\n"
@@ -127,8 +137,14 @@ void add_cell_options(CLI::App& app, CellOptions& options, Job& job) {
 void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job) {
     if (app.count("--aspect") > 0) job.aspect = read_aspect(options.aspect);
     if (app.count("--areas") > 0) {
-        job.sizes = target_sizes(options.areas);
+        job.sizes = target_sizes("--areas", options.areas);
         if (!names_area_law(options.areas)) job.inputs.push_back(area_table(options.areas).path);
+    }
+    if (app.count("--volumes") > 0) {
+        job.sizes = target_sizes("--volumes", options.volumes);
+        if (!names_area_law(options.volumes)) {
+            job.inputs.push_back(volume_table(options.volumes).path);
+        }
     }
     if (app.count("--weights") > 0) {
         if (app.count("--input") == 0) {
@@ -184,8 +200,10 @@ plane::Lattice automatic_period(const CellOptions& options) {
 
 void read_area_file(Job& job) {
     if (!job.sizes || names_area_law(job.sizes->name)) return;
-    AreaFile file = read_areas(area_table(job.sizes->name));
-    require_areas(file, job.n_wanted());
+    const bool in_space = job.is_in_space();
+    AreaFile file = in_space ? read_volumes(volume_table(job.sizes->name))
+                             : read_areas(area_table(job.sizes->name));
+    require_areas(file, job.n_wanted(), in_space ? "volume" : "area");
     job.sizes->given = std::move(file.areas);
     job.sizes->name = std::move(file.description);
 }

@@ -17,6 +17,7 @@ struct CellOptions {
     std::string density;
     std::string density_range;
     std::string areas;
+    std::string volumes;
     std::string weights;
     std::string aspect;
     std::string walls;

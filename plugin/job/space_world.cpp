@@ -190,11 +190,13 @@ struct SpaceContent {
         const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
         const VoxelCounts counts =
             requested_voxels(domain.lattice, delaunay.sites.n_sites(), job.file_options.voxels);
-        const space::VoxelImage image = voxel_image(
-            delaunay, {}, voxel_grid(domain.lattice, domain.origin, counts), job.run.n_threads);
-        return file.format->space->encode_voxels(
-            image, {.lattice = domain.lattice, .sites = points}, computation.materials,
-            job.file_options.elastic, file.path());
+        const space::VoxelImage image =
+            voxel_image(delaunay, delaunay.weights,
+                        voxel_grid(domain.lattice, domain.origin, counts), job.run.n_threads);
+        const space::VoxelCells cells{
+            .lattice = domain.lattice, .sites = points, .weights = delaunay.weights};
+        return file.format->space->encode_voxels(image, cells, computation.materials,
+                                                 job.file_options.elastic, file.path());
     }
 
     CellRows rows() const {

@@ -313,9 +313,18 @@ def plane_options(job):
     file_choices(job, outputs(job))
 
 
-def space_options(job):
+def space_volumes(job):
+    """Cells of prescribed volumes, which have a solver of their own, and files that state weights."""
     draw = job.draw
-    space_lattice(job)
+    law = draw.choice(("equal", "lognormal:0.2", "lognormal:0.5", "gamma:0.4", None))
+    if law is None:
+        law = job.input("volumes.txt", area_text(draw, job.n_sites, not job.is_sound))
+    job.add("--sites", job.n_sites, "--seed", draw.randrange(1000))
+    job.add("--volumes", law, "--max-iterations", draw.choice((0, 1, 5)))
+    job.leave_out("foam", "msh", "obj", "ply", "glb", "om")
+
+
+def space_cells(job):
     any_sites(job)
     solver(job, ("lbfgs", "lloyd"))
     if job.often(0.2) and "--input" not in job.words:
@@ -328,6 +337,18 @@ def space_options(job):
         job.leave_out("msh", "obj", "ply", "glb", "om")
     if job.often(0.1):
         job.add("--stability")
+
+
+def space_options(job):
+    draw = job.draw
+    space_lattice(job)
+    draw.choice((space_volumes, space_cells, space_cells))(job)
+    if job.often(0.2):
+        job.add("--origin", job.pick(("0.3,-2,1", "1e3,0,-7"), ("0,0", "auto", "1e12,0,0")))
+    if job.often(0.3):
+        job.add("--phases", job.pick(("a:0.5,b:0.5", "a:0.2,b:0.3,c:0.5"), ("a:1.5", "a")), "--cells", "cells.csv")
+        if job.often(0.5):
+            job.add("--orientations", "random")
     chosen = outputs(job)
     if chosen.intersection(("obj", "ply", "glb")) and job.often(0.5):
         job.add("--surface", job.pick(("cells", "boundary"), ("both",)))

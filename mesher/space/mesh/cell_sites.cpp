@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
@@ -35,6 +36,9 @@ Vec3 nearest_image(const Lattice& reduced, const Vec3& p, const Vec3& q) {
     throw_violation("of Voronoi cells", "cell " + std::to_string(cell) + " " + what);
 }
 
+/// Roundings of a coordinate on its way into a tile and into a plane.
+constexpr double kRoundings = 4;
+
 /// Examines the faces of a tile against the planes between sites.
 class BisectorProof {
    public:
@@ -57,8 +61,14 @@ class BisectorProof {
             middle += (weights_[cell] - weights_[across]) / (2 * distance) * direction;
         }
         for (const int v : mesh_.faces[face]) {
-            const double off = std::abs((mesh_.points[v] - middle).dot(direction)) / spacing_;
-            if (!(off <= kBisectorTolerance + mesh_.short_edges)) {
+            const Vec3 from_middle = mesh_.points[v] - middle;
+            const double off = std::abs(from_middle.dot(direction)) / spacing_;
+            // The plane between near sites turns with the rounding of their positions.
+            const double turn = kRoundings * std::numeric_limits<double>::epsilon() *
+                                std::max(site.cwiseAbs().maxCoeff(), other.cwiseAbs().maxCoeff()) /
+                                distance;
+            const double turned = turn * from_middle.norm() / spacing_;
+            if (!(off <= kBisectorTolerance + mesh_.short_edges + turned)) {
                 refuse_cell(cell,
                             "has a corner off the plane between its site and a neighbour by " +
                                 in_words(off) + " h");

@@ -156,6 +156,8 @@ class SpaceResult:
     @property
     def sites(self) -> _Doubles: ...
     @property
+    def weights(self) -> Optional[_Doubles]: ...
+    @property
     def phases(self) -> Optional[_Integers]: ...
     @property
     def phase_names(self) -> Tuple[str, ...]: ...
@@ -232,6 +234,7 @@ def mesh(
     budget: int = 0,
     progress: Optional[_Watch] = None,
     areas: Optional[ArrayLike] = None,
+    volumes: Union[None, str, ArrayLike] = None,
     weights: Optional[ArrayLike] = None,
     aspect: Union[float, Tuple[float, float]] = 1.0,
     phases: Union[None, str, Mapping[str, float], Sequence[str]] = None,

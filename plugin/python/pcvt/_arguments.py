@@ -50,14 +50,14 @@ def set_origin(options, origin, dimension):
         options.origin_z = corner[2]
 
 
-def set_areas(options, areas):
-    """Returns the array that must stay alive as long as the options are used, or None."""
-    if areas is None:
+def set_sizes(options, word, sizes):
+    """Sets areas or volumes, or their law. Returns the array that must stay alive as long as the options are used."""
+    if sizes is None:
         return None
-    if isinstance(areas, str):
-        options.area_law = text("areas", areas)
+    if isinstance(sizes, str):
+        setattr(options, f"{word}_law", text(f"{word}s", sizes))
         return None
-    return set_list(options, "areas", areas)
+    return set_list(options, f"{word}s", sizes)
 
 
 def set_weights(options, weights):

@@ -45,7 +45,7 @@ def cell_table(result):
 
 
 SPACE_CELL = np.dtype([("site", np.int32), ("x", np.float64), ("y", np.float64), ("z", np.float64),
-                       ("volume", np.float64), ("diameter", np.float64), ("faces", np.int32),
+                       ("weight", np.float64), ("volume", np.float64), ("diameter", np.float64), ("faces", np.int32),
                        ("sphericity", np.float64), ("phase", np.int32), ("phi1", np.float64),
                        ("Phi", np.float64), ("phi2", np.float64), ("neighbours", object)])
 
@@ -71,6 +71,7 @@ def space_cell_table(result):
     cells = np.empty(len(tile.volumes), SPACE_CELL)
     cells["site"] = np.arange(len(cells))
     cells["x"], cells["y"], cells["z"] = result.sites.T
+    cells["weight"] = np.nan if result.weights is None else result.weights
     cells["volume"] = tile.volumes
     cells["diameter"] = np.cbrt(6 * tile.volumes / np.pi)
     cells["faces"] = np.bincount(owner, minlength=len(cells))

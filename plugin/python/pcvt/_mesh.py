@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ._arguments import (period_vectors, refuse_plane_only, set_areas, set_fixed, set_inclusions,
-                         set_materials, set_origin, set_site_phases, set_weights)
+from ._arguments import (period_vectors, refuse_plane_only, set_fixed, set_inclusions,
+                         set_materials, set_origin, set_sizes, set_site_phases, set_weights)
 from ._calls import (choice, default_options, generated, require_numbers, set_doubles, set_fields, set_integers,
                      set_sites, shaped)
 from ._result import Result
@@ -15,7 +15,7 @@ from ._structs import Options
 def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0), origin=(0, 0),
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
-         budget=0, progress=None, areas=None, weights=None, aspect=1.0, phases=None, orientations=None, symmetry=None,
+         budget=0, progress=None, areas=None, volumes=None, weights=None, aspect=1.0, phases=None, orientations=None, symmetry=None,
          walls="none", wall_cells="whole", fixed=None, inclusions=None, fibres=None, holes=(),
          duplicates="refuse", **fields):
     """Generates a periodic centroidal Voronoi tessellation of the plane, or, with three period vectors,
@@ -58,6 +58,10 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     See Result.phases
     orientations    each cell gets an orientation: shape (n, 3), Bunge's angles phi1, Phi, phi2 in
                     degrees; or "random", drawn from `seed`. See Result.orientations
+    volumes         in space, cells of prescribed volumes, power cells: shape (n,), positive numbers in any
+                    unit, scaled to the volume of the domain; or "equal", "lognormal:S" or "gamma:S", drawn
+                    from `seed`, with S the standard deviation over the mean of the equivalent diameters.
+                    max_iterations centroidal steps, five where it is negative, make the cells round
     fields          numbers of pcvt_options, by their names in pcvt.h
 
     The arguments that follow are for the plane only.
@@ -104,7 +108,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     options = default_options()
     options.dimension = dimension
     # Alive while the library reads them.
-    _points, _areas = set_sites(options, sites, dimension), set_areas(options, areas)
+    _points = set_sites(options, sites, dimension)
+    _areas, _volumes = set_sizes(options, "area", areas), set_sizes(options, "volume", volumes)
     _weights, _phases = set_weights(options, weights), None
     if phases is not None and not isinstance(phases, (str, dict)):
         _phases, phases = set_site_phases(options, phases), None

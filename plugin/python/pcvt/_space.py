@@ -17,12 +17,14 @@ class SpaceResult:
     """An optimised periodic tessellation of space. It never changes.
 
     sites       (n, 3), wrapped into the domain of the reduced period vectors, as .txt files hold them
+    weights     (n,), length^2, or None of Voronoi cells: the cell of site i is where
+                |p - sites[i]|^2 - weights[i] is least
     phases      (n,), the index of each cell's phase in phase_names, or None without phases
     phase_names in the order in which they were given
     orientations
                 (n, 3), phi1, Phi, phi2 in degrees, or None without orientations
-    cells       (n,), the columns of .csv files as an array with the fields site, x, y, z, volume, diameter,
-                faces, sphericity, phase (an index into phase_names), phi1, Phi, phi2 and neighbours; fields
+    cells       (n,), the columns of .csv files as an array with the fields site, x, y, z, weight, volume,
+                diameter, faces, sphericity, phase (an index into phase_names), phi1, Phi, phi2 and neighbours; fields
                 that do not apply are NaN, or -1 as a phase
     statistics  a Statistics; valences[k] cells have k faces, and the energy has the unit length^5. The first
                 use builds and proves the tile
@@ -44,6 +46,11 @@ class SpaceResult:
     def sites(self):
         view = self._view()
         return self._handle.array(view.sites, np.float64, view.n_cells, 3)
+
+    @property
+    def weights(self):
+        view = self._view()
+        return self._handle.array(view.weights, np.float64, view.n_cells)
 
     @property
     def phases(self):

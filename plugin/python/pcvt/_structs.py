@@ -31,7 +31,8 @@ class Options(ctypes.Structure):
                 ("n_fixed_sites", c_int32), ("reserved3", c_int32), ("holes", c_char_p), ("dimension", c_int32),
                 ("reserved4", c_int32), ("lattice3", c_double * 9), ("duplicates", c_int32), ("n_weights", c_int32),
                 ("weights", c_void_p), ("site_phases", c_void_p), ("n_site_phases", c_int32),
-                ("reserved5", c_int32), ("origin_z", c_double)]
+                ("reserved5", c_int32), ("origin_z", c_double), ("volumes", c_void_p), ("volume_law", c_char_p),
+                ("n_volumes", c_int32), ("reserved6", c_int32)]
 
 
 class Sites(ctypes.Structure):
@@ -68,7 +69,7 @@ class Cells(ctypes.Structure):
                 ("volumes", c_void_p), ("site_points", c_void_p), ("sites", c_void_p), ("n_cells", c_int32),
                 ("n_faces", c_int32), ("n_inner_faces", c_int32), ("n_points", c_int32), ("n_face_points", c_int32),
                 ("n_phases", c_int32), ("phases", c_void_p), ("phase_names", POINTER(c_char_p)),
-                ("orientations", c_void_p)]
+                ("orientations", c_void_p), ("weights", c_void_p)]
 
 
 class Statistics(ctypes.Structure):

@@ -140,5 +140,24 @@ TEST(SizeColumn, OneColumnWithDecimalCommasNeedsAHeader) {
                 StartsWith("g.csv:1: this line has 3 words; write one area a "));
 }
 
+TEST(SizeColumn, OfVolumesTakesVolumesDiametersAndRadii) {
+    const auto volumes = [](const std::string& text, const std::string& prefix = "") {
+        return parse_volumes({.path = "v.csv", .prefix = prefix}, text);
+    };
+    EXPECT_EQ(volumes("2\n3\n").areas, Eigen::Vector2d(2, 3));
+    EXPECT_EQ(volumes("Grain;Volume (um^3)\n1;2,5\n2;3\n").areas, Eigen::Vector2d(2.5, 3));
+    const double pi = std::acos(-1.0);
+    EXPECT_NEAR(volumes("ECD\n2\n").areas[0], pi * 8 / 6, 1e-14);
+    EXPECT_NEAR(volumes("1\n", "radius").areas[0], pi * 4 / 3, 1e-14);
+    try {
+        volumes("area\n1\n");
+        ADD_FAILURE();
+    } catch (const BadFile& fault) {
+        EXPECT_STREQ(fault.what(),
+                     "v.csv:1: column 'area' holds areas, but cells in space have volumes; name a "
+                     "column of volumes or diameters, v.csv:COLUMN");
+    }
+}
+
 }  // namespace
 }  // namespace pcvt

@@ -36,9 +36,9 @@ TEST(PhaseFractions, RefusalsSayWhatToWrite) {
         expect_refusal(text, "; ");
     }
     expect_refusal("a:0.5,b", "'b' is not a phase; write NAME:FRACTION");
-    expect_refusal(":1", "no name of a phase");
-    expect_refusal("two words:1", "no name of a phase");
-    expect_refusal("\xc3\xa4:1", "no name of a phase");
+    expect_refusal(":1", "not the name of a phase");
+    expect_refusal("two words:1", "not the name of a phase");
+    expect_refusal("\xc3\xa4:1", "not the name of a phase");
     expect_refusal(std::string(61, 'a') + ":1", "1 to 60 letters");
     expect_refusal("a:-0.5,b:1.5", "the fraction of a is -0.5; give a number above 0");
     expect_refusal("a:0,b:1", "above 0");

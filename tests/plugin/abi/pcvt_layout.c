@@ -161,6 +161,10 @@ static void print_options(void) {
     FIELD(pcvt_options, n_site_phases);
     FIELD(pcvt_options, reserved5);
     FIELD(pcvt_options, origin_z);
+    FIELD(pcvt_options, volumes);
+    FIELD(pcvt_options, volume_law);
+    FIELD(pcvt_options, n_volumes);
+    FIELD(pcvt_options, reserved6);
 }
 
 static void print_sites(void) {
@@ -262,6 +266,7 @@ static void print_cells(void) {
     FIELD(pcvt_cells, phases);
     FIELD(pcvt_cells, phase_names);
     FIELD(pcvt_cells, orientations);
+    FIELD(pcvt_cells, weights);
 }
 
 static void print_statistics(void) {

@@ -118,7 +118,7 @@ def shown_views():
     plane = pcvt.mesh(30, OBLIQUE, areas=np.arange(1, 31), phases="soft:0.5,hard:0.5", orientations="random")
     walled = pcvt.mesh(30, walls="x", inclusions=[("polygon", "a", [[0.2, 0.2], [0.5, 0.2], [0.4, 0.6]])], holes="a")
     dropped = pcvt.mesh(np.array([[0, 0], [0.3, 0.4], [1, 1]]), duplicates="drop")
-    solid = pcvt.mesh(20, period=(1, 1, 1))
+    solid = pcvt.mesh(20, period=(1, 1, 1), volumes="lognormal:0.3", phases="a:0.5,b:0.5", orientations="random")
     symmetric = pcvt.mesh(16, symmetry="p4")
     for result in (plane, walled, dropped, symmetric):
         handle = result._handle

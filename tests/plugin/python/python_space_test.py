@@ -295,6 +295,30 @@ class Materials(CliTest):
             with self.subTest(origin), self.assertRaisesRegex(pcvt.ArgumentError, "^origin"):
                 pcvt.mesh(9, period=(1, 1, 1), origin=origin)
 
+    def test_volumes_of_a_law_and_of_an_array(self):
+        drawn = pcvt.mesh(60, period=(1, 1, 1), volumes="lognormal:0.35")
+        self.assertAlmostEqual(drawn.cells["volume"].sum(), 1, delta=1e-12)
+        spread = drawn.cells["diameter"].std() / drawn.cells["diameter"].mean()
+        self.assertTrue(0.2 < spread < 0.5, spread)
+        wanted = np.arange(1, 21)
+        given = pcvt.mesh(20, OBLIQUE, volumes=wanted, max_iterations=0)
+        np.testing.assert_allclose(given.cells["volume"], wanted * 0.729 / wanted.sum(), rtol=1e-9)
+        np.testing.assert_array_equal(given.cells["weight"], given.weights)
+        self.assertAlmostEqual(given.weights.sum(), 0, delta=1e-12)
+        given.write(self.path("t.vtu"))
+        self.assertIn("power cells of 20 sites", self.succeed("check", "t.vtu"))
+        with self.assertRaisesRegex(pcvt.ArgumentError, "n_volumes is not n_sites; give one volume for each site"):
+            pcvt.mesh(4, period=(1, 1, 1), volumes=[1, 2, 3])
+        with self.assertRaisesRegex(pcvt.ArgumentError, "volumes is for three dimensions"):
+            pcvt.mesh(3, volumes=[1, 2, 3])
+
+    def test_weights_give_power_cells(self):
+        sites = np.random.default_rng(3).random((30, 3))
+        result = pcvt.mesh(sites, period=(1, 1, 1), weights=np.linspace(0.01, 0.012, 30), max_iterations=0)
+        np.testing.assert_array_equal(result.weights, np.linspace(0.01, 0.012, 30))
+        self.assertAlmostEqual(result.cells["volume"].sum(), 1, delta=1e-12)
+        self.assertIsNone(pcvt.mesh(9, period=(1, 1, 1)).weights)
+
     def test_cells_without_materials(self):
         result = pcvt.mesh(2, period=(1, 1, 1), start="lattice")
         self.assertIsNone(result.phases)
