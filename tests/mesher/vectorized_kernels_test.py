@@ -14,8 +14,9 @@ import unittest
 
 ENERGIES = ("pcvt::space::TetrahedronBlock::compute", "pcvt::plane::TriangleBlock::compute")
 BLOCKS = tuple("pcvt::block_" + name for name in (
-    "exp log log2 log10 pow sqrt cbrt sinh cosh tanh asinh acosh atanh sin cos tan asin acos atan atan2").split())
-OBJECTS = 5  # two energies, and the files of the block functions
+    "exp log log2 log10 pow sqrt cbrt sinh cosh tanh asinh acosh atanh sin cos tan asin acos atan atan2 "
+    "add subtract multiply divide round").split())
+OBJECTS = 6  # two energies, and the files of the block functions
 VERSIONS = ("default", "arch_x86_64_v3", "arch_x86_64_v4")
 
 
