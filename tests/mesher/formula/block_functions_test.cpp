@@ -192,51 +192,5 @@ TEST(BlockFunctions, ShortResultsAreExact) {
     }
 }
 
-constexpr BlockFunction* kAll[] = {block_exp,   block_log,   block_log2, block_log10, block_sqrt,
-                                   block_cbrt,  block_sinh,  block_cosh, block_tanh,  block_asinh,
-                                   block_acosh, block_atanh, block_sin,  block_cos,   block_tan,
-                                   block_asin,  block_acos,  block_atan};
-
-TEST(BlockFunctions, NumbersOfABlockDoNotDependOnEachOther) {
-    Arguments arguments(3);
-    std::vector<double> x(kBlock);
-    for (double& one : x) one = arguments.next();
-    for (BlockFunction* const f : kAll) {
-        for (const int n : {1, 7, 64, 65, 199, 200}) {
-            std::vector<double> y(kBlock, -1);
-            f(x.data(), y.data(), n);
-            for (int k = 0; k < n; ++k) {
-                ASSERT_EQ(std::bit_cast<std::uint64_t>(y[k]),
-                          std::bit_cast<std::uint64_t>(one_of_block(f, x[k])))
-                    << x[k];
-            }
-        }
-    }
-}
-
-TEST(BlockFunctions, HaveTheSameBitsOnEveryMachine) {
-    // NaN have bits of their own and are left out.
-    std::uint64_t hash = 14695981039346656037u;
-    const auto add = [&](double y) {
-        if (std::isnan(y)) return;
-        hash = (hash ^ std::bit_cast<std::uint64_t>(y)) * 1099511628211u;
-        hash ^= hash >> 29;
-    };
-    std::mt19937_64 random(5);
-    for (int k = 0; k < 20'000; ++k) {
-        const double near = static_cast<double>(random() >> 11) * 0x1p-51 - 2;
-        const double any = std::bit_cast<double>(random());
-        for (BlockFunction* const f : kAll) {
-            add(one_of_block(f, near));
-            add(one_of_block(f, 32 * near));
-            add(one_of_block(f, any));
-        }
-        add(one_of_block(block_pow, std::abs(near), any));
-        add(one_of_block(block_pow, 32 * std::abs(near), near));
-        add(one_of_block(block_atan2, near, any));
-    }
-    EXPECT_EQ(hash, 11769249278961915923u);
-}
-
 }  // namespace
 }  // namespace pcvt
