@@ -19,11 +19,19 @@ constexpr std::array kCubeRootStart{0x1.faa5766bc7719p+0, -0x1.1b902cbcb23a9p+1,
                                     0x1.0379efc457224p+1, -0x1.08cfbe0bb816dp+0,
                                     0x1.12dda4437fda6p-2, -0x1.c44bccf65bb82p-6};
 
-/// So many powers are computed at once.
-constexpr int kPowersAtOnce = 64;
+/// So many numbers pass through the loops of a function one after the other.
+constexpr int kNumbersAtOnce = 64;
 
 PCVT_IN_LANES double exponential_of(double x) {
     return exponential({in_exponential_range(x), 0}, 0);
+}
+
+/// The same for |x| <= kNormalExponent, where the result needs no rounding to a power of 2.
+constexpr double kNormalExponent = 708;
+PCVT_IN_LANES double normal_exponential_of(double x) {
+    const double turns = x * kPerLn2 + kToWhole;
+    const double sum = exponential_of_rest({x, 0}, turns - kToWhole);
+    return from_bits(bits_of(sum) + (bits_of(turns) << 52));
 }
 
 /// A factor in two parts, the first of which has 26 bits and the second the rest of the factor.
@@ -141,7 +149,16 @@ PCVT_IN_LANES double cube_root_of(double x) {
 }  // namespace
 
 PCVT_TARGET_CLONES void block_exp(const double* __restrict x, double* __restrict y, int n) {
-    for (int k = 0; k < whole_lanes(n); ++k) y[k] = exponential_of(x[k]);
+    for (int from = 0; from < n; from += kNumbersAtOnce) {
+        const int end = from + std::min(whole_lanes(n - from), kNumbersAtOnce);
+        std::uint64_t any_other = 0;
+        for (int k = from; k < end; ++k) {
+            y[k] = normal_exponential_of(x[k]);
+            any_other |= magnitude_of(x[k]) <= kNormalExponent ? 0 : 1;
+        }
+        if (any_other == 0) continue;
+        for (int k = from; k < end; ++k) y[k] = exponential_of(x[k]);
+    }
 }
 
 PCVT_TARGET_CLONES void block_log(const double* __restrict x, double* __restrict y, int n) {
@@ -159,10 +176,10 @@ PCVT_TARGET_CLONES void block_log10(const double* __restrict x, double* __restri
 PCVT_TARGET_CLONES void block_pow(const double* __restrict a, const double* __restrict b,
                                   double* __restrict y, int n) {
     // Two short loops overlap more of their operations than a long one.
-    double high[kPowersAtOnce];
-    double low[kPowersAtOnce];
-    for (int from = 0; from < n; from += kPowersAtOnce) {
-        const int n_here = std::min(whole_lanes(n - from), kPowersAtOnce);
+    double high[kNumbersAtOnce];
+    double low[kNumbersAtOnce];
+    for (int from = 0; from < n; from += kNumbersAtOnce) {
+        const int n_here = std::min(whole_lanes(n - from), kNumbersAtOnce);
         for (int k = 0; k < n_here; ++k) {
             const NumberPair exponent = exponent_of_power(magnitude_of(a[from + k]), b[from + k]);
             high[k] = exponent.high;

@@ -22,6 +22,7 @@ inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 /// ln 2 in two parts: products of the first with exponents are exact.
 inline constexpr double kLn2High = 0x1.62e42fefa3800p-1;
 inline constexpr double kLn2Low = 0x1.ef35793c76730p-45;
+inline constexpr double kPerLn2 = 0x1.71547652b82fep+0;
 
 /// (exp(r) - 1 - r - r^2 / 2) / r^3 for |r| <= ln 2 / 2.
 inline constexpr std::array kExponentialTail{
@@ -33,11 +34,10 @@ inline constexpr std::array kLogarithmTail{
     0x1.5555555555555p-1, 0x1.9999999999a38p-2, 0x1.2492492476c8bp-2, 0x1.c71c720160332p-3,
     0x1.745cf90196560p-3, 0x1.3b1c35fbecd93p-3, 0x1.0fbe84f5caccap-3, 0x1.0c044ccf380aap-3};
 
-/// exp(x.high + x.low) 2^power, with an error of at most 0.6 units in the last place.
-/// @param x  |x.high| <= 760 or NaN; |x.low| <= 2^-40 times |x.high|.
-PCVT_IN_LANES double exponential(NumberPair x, double power) {
+/// exp(x.high + x.low) 2^-k, from 0.7 to 1.5, with an error of at most 0.6 units in the last place.
+/// @param k  the whole number nearest to x.high / ln 2.
+PCVT_IN_LANES double exponential_of_rest(NumberPair x, double k) {
     // x = k ln 2 + r with |r| <= ln 2 / 2.
-    const double k = nearest_whole(x.high * 0x1.71547652b82fep+0);
     const double far = x.high - k * kLn2High;
     const double shift = k * kLn2Low - x.low;
     const double r = far - shift;
@@ -45,7 +45,14 @@ PCVT_IN_LANES double exponential(NumberPair x, double power) {
     // Sum the series so that only the last addition rounds in the last place.
     const auto [sum, error] = exact_sum_of_ordered(1, r);
     const double rest = r * r * (0.5 + r * polynomial(r, kExponentialTail));
-    return times_power_of_two(sum + (rest + (error + low)), k + power);
+    return sum + (rest + (error + low));
+}
+
+/// exp(x.high + x.low) 2^power.
+/// @param x  |x.high| <= 760 or NaN; |x.low| <= 2^-40 times |x.high|.
+PCVT_IN_LANES double exponential(NumberPair x, double power) {
+    const double k = nearest_whole(x.high * kPerLn2);
+    return times_power_of_two(exponential_of_rest(x, k), k + power);
 }
 
 /// Brings x into the range of exponential(), beyond which its value is 0 or infinite.

@@ -13,7 +13,7 @@ namespace {
 
 /// Blocks of so many points keep the rows of a usual formula in the first-level cache, and make the
 /// cost of a call negligible.
-constexpr int kMostPoints = 128;
+constexpr int kMostPoints = 256;
 /// A formula with thousands of rows gets shorter blocks, within this many numbers.
 constexpr int kMostNumbers = 1 << 16;
 
@@ -150,12 +150,20 @@ double* FormulaEvaluator::row(int k) {
     return memory_.data() + std::ptrdiff_t{place} * block_;
 }
 
-const double* FormulaEvaluator::operator()(int n) {
-    assert(n >= 1 && n <= block_);
-    for (const FormulaProgram::Operation& operation : program_.operations_) {
-        const double* const a = row(operation.operands[0]);
-        const double* const b = row(operation.operands[1]);
-        double* const y = row(operation.result);
+/// Carries out the operations. Where variables are given, their numbers from `from` on take the
+/// place of the evaluator's, and the last result goes to `values`.
+void FormulaEvaluator::compute(const double* const* variables, std::size_t from, double* values,
+                               int n) {
+    const auto operand = [&](int k) -> const double* {
+        const bool is_given = variables != nullptr && k >= 0 && k < program_.n_variables_;
+        return is_given ? variables[k] + from : row(k);
+    };
+    const std::vector<FormulaProgram::Operation>& operations = program_.operations_;
+    for (const FormulaProgram::Operation& operation : operations) {
+        const double* const a = operand(operation.operands[0]);
+        const double* const b = operand(operation.operands[1]);
+        const bool is_last = values != nullptr && &operation == &operations.back();
+        double* const y = is_last ? values : row(operation.result);
         switch (operation.kind) {
             case FormulaProgram::Kind::kOne:
                 operation.one(a, y, n);
@@ -164,11 +172,30 @@ const double* FormulaEvaluator::operator()(int n) {
                 operation.two(a, b, y, n);
                 break;
             case FormulaProgram::Kind::kChoice:
-                block_choose(a, b, row(operation.operands[2]), y, n);
+                block_choose(a, b, operand(operation.operands[2]), y, n);
                 break;
         }
     }
+}
+
+const double* FormulaEvaluator::operator()(int n) {
+    assert(n >= 1 && n <= block_);
+    compute(nullptr, 0, nullptr, n);
     return row(program_.values_.back());
+}
+
+void FormulaEvaluator::operator()(const double* const* variables, double* values, std::size_t n) {
+    const int result = program_.values_.back();
+    for (std::size_t from = 0; from < n; from += std::size_t(block_)) {
+        const std::size_t n_here = std::min(n - from, std::size_t(block_));
+        if (result >= program_.n_variables_) {
+            compute(variables, from, values + from, static_cast<int>(n_here));
+        } else {
+            // A number or a variable.
+            const double* const numbers = result < 0 ? row(result) : variables[result] + from;
+            std::copy_n(numbers, n_here, values + from);
+        }
+    }
 }
 
 }  // namespace pcvt

@@ -82,7 +82,7 @@ class FormulaProgram {
 ///
 /// Example usage:
 ///     FormulaEvaluator evaluate(program);
-///     evaluate.variable(0)[0] = 0.3;  // of the first point; each variable has kBlock numbers
+///     evaluate.variable(0)[0] = 0.3;  // of the first point; each variable has block() numbers
 ///     const double* values = evaluate(1);
 class FormulaEvaluator {
    public:
@@ -96,9 +96,15 @@ class FormulaEvaluator {
     /// The values at n points, valid until the next call.
     /// @param n  1 ... block().
     const double* operator()(int n);
+    /// Writes the values at any number of points.
+    /// @param variables  the numbers of each variable; null for those that the program does not
+    /// use.
+    /// @param values     like the variables, with room for whole_lanes(n) numbers.
+    void operator()(const double* const* variables, double* values, std::size_t n);
 
    private:
     double* row(int k);
+    void compute(const double* const* variables, std::size_t from, double* values, int n);
 
     FormulaProgram program_;
     int block_;

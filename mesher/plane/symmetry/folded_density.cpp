@@ -1,8 +1,14 @@
 #include "mesher/plane/symmetry/folded_density.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <tuple>
+#include <utility>
+#include <vector>
+
+#include "mesher/base/simd.hpp"
 
 namespace pcvt::plane {
 namespace {
@@ -43,6 +49,41 @@ void add_images(const PlaneGroup& group, Density& density) {
     density.v_breaks = std::move(all[1]);
 }
 
+/// A density on the lattice of the mirrored domain, for one thread.
+class MirroredDensity {
+   public:
+    MirroredDensity(DensityFunction function, const std::array<double, 2>& scale)
+        : function_(std::move(function)), scale_(scale) {}
+
+    void operator()(std::span<const DensityPoint> points, std::span<double> rho) {
+        moved_.assign(points.begin(), points.end());
+        for (DensityPoint& p : moved_) {
+            p.u = std::min(scale_[0] * p.u, kBelowOne);
+            p.v = std::min(scale_[1] * p.v, kBelowOne);
+        }
+        function_(moved_, rho);
+    }
+    void operator()(const PointColumns& points, double* rho) {
+        PointColumns moved = points;
+        for (const std::size_t axis : {0, 1}) {
+            const double* const from = points.coordinate[2 + axis];
+            if (from == nullptr) continue;
+            column_[axis].resize(points.n + kLanes);
+            for (std::size_t k = 0; k < points.n; ++k) {
+                column_[axis][k] = std::min(scale_[axis] * from[k], kBelowOne);
+            }
+            moved.coordinate[2 + axis] = column_[axis].data();
+        }
+        function_(moved, rho);
+    }
+
+   private:
+    DensityFunction function_;
+    std::array<double, 2> scale_;
+    std::vector<DensityPoint> moved_;
+    std::array<std::vector<double>, 2> column_;
+};
+
 }  // namespace
 
 Vec2 folded_point(const PlaneGroup& group, const Vec2& u) {
@@ -82,15 +123,9 @@ Density mirrored_density(const Density& density, Walls walls) {
     Density mirrored = density;
     mirrored.pixels = nullptr;
     mirrored.make_function = [make = density.make_function, scale]() -> DensityFunction {
-        return [function = make(), scale, moved = std::vector<DensityPoint>()](
-                   std::span<const DensityPoint> points, std::span<double> rho) mutable {
-            moved.assign(points.begin(), points.end());
-            for (DensityPoint& p : moved) {
-                p.u = std::min(scale[0] * p.u, kBelowOne);
-                p.v = std::min(scale[1] * p.v, kBelowOne);
-            }
-            function(moved, rho);
-        };
+        const DensityFunction function = make();
+        if (!function.takes_columns()) return MirroredDensity(function, scale);
+        return {MirroredDensity(function, scale), MirroredDensity(make(), scale), function.uses()};
     };
     for (double& u : mirrored.u_breaks) u /= scale[0];
     for (double& v : mirrored.v_breaks) v /= scale[1];

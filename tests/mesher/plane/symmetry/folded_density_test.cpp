@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
+#include <vector>
 
 #include "tests/support/densities.hpp"
 #include "tests/support/symmetry.hpp"
@@ -48,6 +50,30 @@ TEST(FoldedDensity, GivesTheFunctionThePointItIsFoldedTo) {
         shared_density([](const DensityPoint& p) { return 1 + p.x + 100 * p.y; }), group);
     const DensityProbe probe(group.lattice(), folded.make_function());
     EXPECT_DOUBLE_EQ(testing::value_at(folded.make_function(), probe.point(0.5, 0.75)), 52.5);
+}
+
+TEST(MirroredDensity, HasTheSameBitsForPointsByColumns) {
+    const auto waves = [](const DensityPoint& p) {
+        return p.x + 10 * p.y + 100 * p.u + 1000 * p.v;
+    };
+    const Density mirrored =
+        mirrored_density(testing::density_of_columns(waves, {true, true, true, true}), Walls::kY);
+    const DensityFunction function = mirrored.make_function();
+    ASSERT_TRUE(function.takes_columns());
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> uniform;
+    std::array<std::vector<double>, 4> columns;
+    for (std::vector<double>& column : columns) {
+        for (int k = 0; k < 40; ++k) column.push_back(uniform(random));
+    }
+    columns[3][7] = kBelowOne;
+    std::vector<double> rho(40);
+    function({{columns[0].data(), columns[1].data(), columns[2].data(), columns[3].data()}, 40},
+             rho.data());
+    for (std::size_t k = 0; k < rho.size(); ++k) {
+        EXPECT_EQ(rho[k], testing::value_at(function, {columns[0][k], columns[1][k], columns[2][k],
+                                                       columns[3][k]}));
+    }
 }
 
 TEST(FoldedDensity, MapsBreakLines) {
