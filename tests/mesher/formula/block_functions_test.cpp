@@ -128,6 +128,22 @@ TEST(BlockFunctions, ErrorsAreAtMostTwoUnitsInTheLastPlace) {
     expect_close("atan", block_atan, atanl, 2);
 }
 
+TEST(BlockFunctions, AnglesNearQuarterTurnsKeepTheirDigits) {
+    std::mt19937_64 random(4);
+    constexpr long double kQuarter = 1.57079632679489661923L;
+    std::vector<double> x{6381956970095103 * 0x1p797};  // the nearest of all to a quarter turn
+    for (int k = 0; k < 20'000; ++k) {
+        // Up to a million the angles are reduced in lanes, beyond one by one.
+        const auto n = static_cast<long double>(random() % (k % 2 == 0 ? 600'000u : 100'000'000u));
+        x.push_back(static_cast<double>(n * kQuarter));
+    }
+    for (const double one : x) {
+        ASSERT_LE(units_between(one_of_block(block_sin, one), sinl(one)), 1) << one;
+        ASSERT_LE(units_between(one_of_block(block_cos, one), cosl(one)), 1) << one;
+        ASSERT_LE(units_between(one_of_block(block_tan, one), tanl(one)), 2) << one;
+    }
+}
+
 using Reference2 = long double(long double, long double);
 
 void expect_close(const char* name, BlockFunction2* f, Reference2* reference, double limit) {
