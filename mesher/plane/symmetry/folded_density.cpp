@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesher/base/simd.hpp"
+#include "mesher/plane/symmetry/folded_columns.hpp"
 
 namespace pcvt::plane {
 namespace {
@@ -96,22 +97,73 @@ Vec2 folded_point(const PlaneGroup& group, const Vec2& u) {
     return least;
 }
 
+namespace {
+
+/// A folded density for one thread.
+class FoldedDensity {
+   public:
+    FoldedDensity(DensityFunction function, const PlaneGroup& group)
+        : function_(std::move(function)), group_(group) {}
+
+    void operator()(std::span<const DensityPoint> points, std::span<double> rho) {
+        const std::size_t n = points.size();
+        given_[0].resize(n);
+        given_[1].resize(n);
+        for (std::size_t k = 0; k < n; ++k) {
+            given_[0][k] = points[k].u;
+            given_[1][k] = points[k].v;
+        }
+        fold(given_[0].data(), given_[1].data(), n);
+        moved_.resize(n);
+        for (std::size_t k = 0; k < n; ++k) {
+            moved_[k] = {column_[0][k], column_[1][k], column_[2][k], column_[3][k]};
+        }
+        function_(moved_, rho);
+    }
+    /// @param points  the columns u and v.
+    void operator()(const PointColumns& points, double* rho) {
+        fold(points.coordinate[2], points.coordinate[3], points.n);
+        function_(PointColumns{{column_[0].data(), column_[1].data(), column_[2].data(),
+                                column_[3].data()},
+                               points.n},
+                  rho);
+    }
+
+   private:
+    /// Writes the coordinates of the folded points.
+    void fold(const double* given_u, const double* given_v, std::size_t n) {
+        for (std::vector<double>& column : column_) column.resize(n + kLanes);
+        double* const u = column_[2].data();
+        double* const v = column_[3].data();
+        fold_columns(group_.given_operations(), given_u, given_v, n, u, v);
+        for (const int axis : {0, 1}) {
+            const double a = group_.lattice().a()[axis];
+            const double b = group_.lattice().b()[axis];
+            double* const x = column_[static_cast<std::size_t>(axis)].data();
+            for (std::size_t k = 0; k < n; ++k) x[k] = a * u[k] + b * v[k];
+        }
+    }
+
+    DensityFunction function_;
+    PlaneGroup group_;
+    std::vector<DensityPoint> moved_;
+    std::array<std::vector<double>, 2> given_;
+    /// x, y, u and v.
+    std::array<std::vector<double>, 4> column_;
+};
+
+}  // namespace
+
 Density folded_density(const Density& density, const PlaneGroup& group) {
     if (group.order() == 1) return density;
     Density folded = density;
     folded.pixels = nullptr;
     folded.make_function = [make = density.make_function, group]() -> DensityFunction {
-        return [function = make(), group, moved = std::vector<DensityPoint>()](
-                   std::span<const DensityPoint> points, std::span<double> rho) mutable {
-            const Lattice& lattice = group.lattice();
-            moved.assign(points.begin(), points.end());
-            for (DensityPoint& p : moved) {
-                const Vec2 u = folded_point(group, {p.u, p.v});
-                const Vec2 x = lattice.a() * u.x() + lattice.b() * u.y();
-                p = {x.x(), x.y(), u.x(), u.y()};
-            }
-            function(moved, rho);
-        };
+        const DensityFunction function = make();
+        if (!function.takes_columns()) return FoldedDensity(function, group);
+        return {FoldedDensity(function, group),
+                FoldedDensity(make(), group),
+                {false, false, true, true}};
     };
     add_images(group, folded);
     return folded;

@@ -52,27 +52,46 @@ TEST(FoldedDensity, GivesTheFunctionThePointItIsFoldedTo) {
     EXPECT_DOUBLE_EQ(testing::value_at(folded.make_function(), probe.point(0.5, 0.75)), 52.5);
 }
 
-TEST(MirroredDensity, HasTheSameBitsForPointsByColumns) {
-    const auto waves = [](const DensityPoint& p) {
-        return p.x + 10 * p.y + 100 * p.u + 1000 * p.v;
-    };
-    const Density mirrored =
-        mirrored_density(testing::density_of_columns(waves, {true, true, true, true}), Walls::kY);
-    const DensityFunction function = mirrored.make_function();
+/// Compares the values at points by columns with those at single points.
+void expect_same_bits_by_columns(const Density& density, const Lattice& lattice) {
+    const DensityFunction function = density.make_function();
     ASSERT_TRUE(function.takes_columns());
+    const DensityProbe probe(lattice, function);
     std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> uniform;
+    std::uniform_int_distribution<int> uniform(0, 64);
     std::array<std::vector<double>, 4> columns;
-    for (std::vector<double>& column : columns) {
-        for (int k = 0; k < 40; ++k) column.push_back(uniform(random));
+    for (int k = 0; k < 400; ++k) {
+        // Many points have several images with the same u.
+        const DensityPoint p = probe.point(uniform(random) / 64.0, uniform(random) / 64.0);
+        columns[0].push_back(p.x);
+        columns[1].push_back(p.y);
+        columns[2].push_back(p.u);
+        columns[3].push_back(p.v);
     }
-    columns[3][7] = kBelowOne;
-    std::vector<double> rho(40);
-    function({{columns[0].data(), columns[1].data(), columns[2].data(), columns[3].data()}, 40},
+    std::vector<double> rho(400);
+    function({{columns[0].data(), columns[1].data(), columns[2].data(), columns[3].data()}, 400},
              rho.data());
     for (std::size_t k = 0; k < rho.size(); ++k) {
         EXPECT_EQ(rho[k], testing::value_at(function, {columns[0][k], columns[1][k], columns[2][k],
                                                        columns[3][k]}));
+    }
+}
+
+double wave(const DensityPoint& p) { return p.x + 10 * p.y + 100 * p.u + 1000 * p.v; }
+
+TEST(FoldedDensity, HasTheSameBitsForPointsByColumns) {
+    const Density density = testing::density_of_columns(wave, {true, true, true, true});
+    for (const PlaneGroupRow& row : kPlaneGroups) {
+        const PlaneGroup group(row.name, testing::fitting_lattice(row.name));
+        SCOPED_TRACE(row.word);
+        expect_same_bits_by_columns(folded_density(density, group), group.lattice());
+    }
+}
+
+TEST(MirroredDensity, HasTheSameBitsForPointsByColumns) {
+    const Density density = testing::density_of_columns(wave, {true, true, true, true});
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
+        expect_same_bits_by_columns(mirrored_density(density, walls), Lattice::rectangle(3, 2));
     }
 }
 
