@@ -28,10 +28,11 @@ bool FormulaProgram::uses(int variable) const {
 }
 
 int FormulaProgram::number_row(double value) {
-    const int next = static_cast<int>(numbers_.size());
-    const auto [place, is_new] = places_.emplace(bits_of(value), next);
-    if (is_new) numbers_.push_back(value);
-    return -1 - place->second;
+    const auto same = [=](double number) { return bits_of(number) == bits_of(value); };
+    const auto place = std::find_if(numbers_.begin(), numbers_.end(), same);
+    const int row = -1 - static_cast<int>(place - numbers_.begin());
+    if (place == numbers_.end()) numbers_.push_back(value);
+    return row;
 }
 
 void FormulaProgram::push_variable(int variable) {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <map>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -69,9 +68,8 @@ class FormulaProgram {
 
     int n_variables_;
     std::vector<Operation> operations_;
-    /// The distinct numbers, and their places by their bits.
+    /// The distinct numbers.
     std::vector<double> numbers_;
-    std::map<std::uint64_t, int> places_;
     /// The rows of the values that are not yet used.
     std::vector<int> values_;
     std::vector<int> free_rows_;
