@@ -150,14 +150,15 @@ PCVT_IN_LANES double cube_root_of(double x) {
 
 PCVT_TARGET_CLONES void block_exp(const double* __restrict x, double* __restrict y, int n) {
     for (int from = 0; from < n; from += kNumbersAtOnce) {
-        const int end = from + std::min(whole_lanes(n - from), kNumbersAtOnce);
+        const int n_here = std::min(whole_lanes(n - from), kNumbersAtOnce);
         std::uint64_t any_other = 0;
-        for (int k = from; k < end; ++k) {
-            y[k] = normal_exponential_of(x[k]);
-            any_other |= magnitude_of(x[k]) <= kNormalExponent ? 0 : 1;
+        for (int k = 0; k < n_here; ++k) {
+            y[from + k] = normal_exponential_of(x[from + k]);
+            // The difference is negative for larger numbers, infinity and NaN.
+            any_other |= bits_of(kNormalExponent) - bits_of(magnitude_of(x[from + k]));
         }
-        if (any_other == 0) continue;
-        for (int k = from; k < end; ++k) y[k] = exponential_of(x[k]);
+        if ((any_other & kSignBit) == 0) continue;
+        for (int k = 0; k < n_here; ++k) y[from + k] = exponential_of(x[from + k]);
     }
 }
 

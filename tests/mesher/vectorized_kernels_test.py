@@ -7,6 +7,7 @@ of that kind. All divisions of a kernel of the energy stand in its loop, so that
 function has no scalar operation at all.
 """
 
+import itertools
 import re
 import subprocess
 import sys
@@ -38,28 +39,27 @@ class VectorizedKernels(unittest.TestCase):
     def setUpClass(cls):
         cls.found = operations(sys.argv[1:])
 
-    def versions_of(self, kernel):
-        for version in VERSIONS:
-            with self.subTest(kernel=kernel, version=version):
-                own = [words for name, words in self.found.items()
-                       if name.startswith(kernel + "(") and f"[clone .{version}]" in name]
-                self.assertEqual(len(own), 1, "functions of this name that compute")
-                yield own[0]
+    def words_of(self, kernel, version):
+        own = [words for name, words in self.found.items()
+               if name.startswith(kernel + "(") and f"[clone .{version}]" in name]
+        self.assertEqual(len(own), 1, "functions of this name that compute")
+        return own[0]
 
     def test_every_kernel_is_looked_at(self):
         # Their files stay out of the units; objects of other names would not come here.
         self.assertEqual(len(sys.argv) - 1, OBJECTS, "objects of the kernels")
 
     def test_no_version_of_an_energy_divides_number_by_number(self):
-        for kernel in ENERGIES:
-            for words in self.versions_of(kernel):
-                divisions = [word for word in words if "div" in word]
+        for kernel, version in itertools.product(ENERGIES, VERSIONS):
+            with self.subTest(kernel=kernel, version=version):
+                divisions = [word for word in self.words_of(kernel, version) if "div" in word]
                 self.assertTrue(divisions)
                 self.assertTrue(all(word.endswith("pd") for word in divisions), divisions)
 
     def test_no_version_of_a_block_function_computes_number_by_number(self):
-        for kernel in BLOCKS:
-            for words in self.versions_of(kernel):
+        for kernel, version in itertools.product(BLOCKS, VERSIONS):
+            with self.subTest(kernel=kernel, version=version):
+                words = self.words_of(kernel, version)
                 self.assertTrue(all(word.endswith("pd") for word in words), words)
 
 
