@@ -18,6 +18,8 @@ namespace pcvt {
 ///     std::memcpy(values, &x, sizeof x);
 inline constexpr int kLanes = 8;
 using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
+/// n >= 0, rounded up to a multiple of kLanes: the numbers that a loop over lanes reads and writes.
+constexpr int whole_lanes(int n) { return (n + (kLanes - 1)) & -kLanes; }
 /// A point in the plane.
 using Pair = double __attribute__((vector_size(2 * sizeof(double))));
 /// A DensityPoint.

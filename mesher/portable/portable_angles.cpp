@@ -82,15 +82,9 @@ double portable_tan(double radians) {
     return sin / cos;
 }
 
-double portable_asin(double sine) {
-    return portable_atan2(sine, std::sqrt((1 - sine) * (1 + sine)));
-}
-
 double portable_acos(double cosine) {
     return portable_atan2(std::sqrt((1 - cosine) * (1 + cosine)), cosine);
 }
-
-double portable_atan(double tangent) { return std::copysign(arc(std::abs(tangent)), tangent); }
 
 double portable_atan2(double y, double x) {
     if (std::isnan(x) || std::isnan(y)) return x + y;

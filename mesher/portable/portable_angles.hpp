@@ -31,9 +31,7 @@ double portable_tan(double radians);
 
 // Inverse functions, radians; the error is below 1e-15 times the larger of 1 and the value. Values
 // out of the domain give NaN.
-double portable_asin(double sine);
 double portable_acos(double cosine);
-double portable_atan(double tangent);
 /// The angle of (x, y) in [-pi, pi].
 double portable_atan2(double y, double x);
 

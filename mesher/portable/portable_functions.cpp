@@ -79,28 +79,4 @@ double portable_cbrt(double x) {
     return std::copysign(std::ldexp(root, k), x);
 }
 
-double portable_sinh(double x) {
-    const double e = portable_exp(std::abs(x));
-    return std::copysign((e - 1 / e) / 2, x);
-}
-
-double portable_cosh(double x) {
-    const double e = portable_exp(std::abs(x));
-    return (e + 1 / e) / 2;
-}
-
-double portable_tanh(double x) {
-    const double e = portable_exp(-2 * std::abs(x));
-    return std::copysign((1 - e) / (1 + e), x);
-}
-
-double portable_asinh(double x) {
-    const double magnitude = std::abs(x);
-    return std::copysign(portable_log(magnitude + std::sqrt(1 + magnitude * magnitude)), x);
-}
-
-double portable_acosh(double x) { return portable_log(x + std::sqrt((x - 1) * (x + 1))); }
-
-double portable_atanh(double x) { return portable_log((1 + x) / (1 - x)) / 2; }
-
 }  // namespace pcvt

@@ -24,13 +24,4 @@ double portable_log10(double x);
 /// The cube root; the relative error is below 3e-16. It is exact for cubes of integers.
 double portable_cbrt(double x);
 
-// Hyperbolic functions and their inverses; the error is below 4e-15 times the larger of 1 and the
-// value, where |x| <= 300 or the function is an inverse.
-double portable_sinh(double x);
-double portable_cosh(double x);
-double portable_tanh(double x);
-double portable_asinh(double x);
-double portable_acosh(double x);
-double portable_atanh(double x);
-
 }  // namespace pcvt

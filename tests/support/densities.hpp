@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "mesher/plane/density/density.hpp"
 
@@ -11,6 +13,30 @@ inline double value_at(const plane::DensityFunction& function, const plane::Dens
     double rho = 0;
     function({&point, 1}, {&rho, 1});
     return rho;
+}
+
+/// A density of some coordinates, the others being 0, that also takes points by columns.
+template <class Function>
+plane::Density density_of_columns(Function function, const std::array<bool, 4>& uses) {
+    const auto used = [=](std::size_t k, double number) { return uses[k] ? number : 0; };
+    return {[=]() -> plane::DensityFunction {
+        return {plane::DensityFunction::OfPoints([=](std::span<const plane::DensityPoint> points,
+                                                     std::span<double> rho) {
+                    for (std::size_t k = 0; k < points.size(); ++k) {
+                        const plane::DensityPoint& p = points[k];
+                        rho[k] = function({used(0, p.x), used(1, p.y), used(2, p.u), used(3, p.v)});
+                    }
+                }),
+                [=](const plane::PointColumns& points, double* rho) {
+                    const auto number = [&](std::size_t i, std::size_t k) {
+                        return uses[i] ? points.coordinate[i][k] : 0;
+                    };
+                    for (std::size_t k = 0; k < points.n; ++k) {
+                        rho[k] = function({number(0, k), number(1, k), number(2, k), number(3, k)});
+                    }
+                },
+                uses};
+    }};
 }
 
 /// exp(sin 2 pi u + cos 2 pi v): contrast 55.

@@ -71,8 +71,9 @@ void CellSums::add(std::span<const SiteId> sites, std::span<const int> numbers, 
 }
 
 void CellSums::finish(std::vector<Moments>& moments) {
+    const std::size_t n_columns = probe_.n_reserved_columns();
     const std::span<const double> rho = probe_.evaluate_reserved();
-    whole_.take(rho, moments);
+    whole_.take(rho, n_columns, moments);
     const std::vector<Moments>& cut = cut_.take(rho);
     for (std::size_t k = 0; k < cut.size(); ++k) moments[cut_numbers_[k]] = cut[k];
     cut_numbers_.clear();
@@ -88,7 +89,8 @@ void CellSums::integrate(std::span<const OrderedCell> cells, std::vector<Moments
             const auto n = static_cast<std::size_t>(std::min(end_[q] - done, kCellsAtOnce));
             add({&sites_[done], n}, {&numbers_[done], n}, q, moments);
             done += static_cast<int>(n);
-            if (probe_.n_reserved() >= kEnoughPoints) finish(moments);
+            const std::size_t n_points = probe_.n_reserved() + probe_.n_reserved_columns();
+            if (n_points >= kEnoughPoints) finish(moments);
         }
     }
     finish(moments);

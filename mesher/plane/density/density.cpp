@@ -26,13 +26,10 @@ std::string digits(double value) {
 
 bool is_density(double rho) { return rho >= kLeastDensity && rho <= kGreatestDensity; }
 
-[[noreturn]] void throw_first_bad_density(std::span<const DensityPoint> points, const double* rho) {
-    std::size_t k = 0;
-    while (is_density(rho[k])) ++k;
-    const DensityPoint& p = points[k];
-    const bool positive = std::isfinite(rho[k]) && rho[k] > 0;
+[[noreturn]] void throw_bad_density(const DensityPoint& p, double rho) {
+    const bool positive = std::isfinite(rho) && rho > 0;
     throw BadDensity(
-        "the density is " + digits(rho[k]) + " at x = " + digits(p.x) + ", y = " + digits(p.y) +
+        "the density is " + digits(rho) + " at x = " + digits(p.x) + ", y = " + digits(p.y) +
         " (u = " + digits(p.u) + ", v = " + digits(p.v) + "); " +
         (positive ? "keep it between 1e-60 and 1e60" : "make it positive and finite everywhere"));
 }
@@ -75,9 +72,8 @@ Density fixed_to_lattice(Density density, const Lattice& lattice) {
             }
             function(fixed, rho);
             // Here the message names the point on `lattice`.
-            if (!std::all_of(rho.begin(), rho.end(), is_density)) {
-                throw_first_bad_density(fixed, rho.data());
-            }
+            const auto bad = std::find_if_not(rho.begin(), rho.end(), is_density);
+            if (bad != rho.end()) throw_bad_density(fixed[std::size_t(bad - rho.begin())], *bad);
         };
     };
     return density;
@@ -102,19 +98,76 @@ DensityPoint* DensityProbe::reserve(std::size_t n) {
     return points_.data() + first;
 }
 
-std::span<const double> DensityProbe::evaluate(std::span<const DensityPoint> points) {
-    const std::size_t n = points.size();
-    if (rho_.size() < n + kLanes) rho_.resize(n + kLanes);
+std::array<double*, 4> DensityProbe::reserve_columns(std::size_t n, std::size_t n_repeats) {
+    const std::size_t first = n_columns_;
+    n_columns_ += n;
+    n_repeats_ += n_repeats;
+    std::array<double*, 4> place{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        if (!function_.uses()[k]) continue;
+        if (columns_[k].size() < n_columns_) columns_[k].resize(2 * n_columns_);
+        place[k] = columns_[k].data() + first;
+    }
+    return place;
+}
+
+PointColumns DensityProbe::columns() const {
+    PointColumns points{{}, n_columns_};
+    for (std::size_t k = 0; k < 4; ++k) {
+        if (function_.uses()[k]) points.coordinate[k] = columns_[k].data();
+    }
+    return points;
+}
+
+DensityPoint DensityProbe::column_point(std::size_t k) const {
+    const auto number = [&](std::size_t i) { return function_.uses()[i] ? columns_[i][k] : 0; };
+    DensityPoint p{number(0), number(1), number(2), number(3)};
+    // Compute the coordinates without columns from the others.
+    if (!function_.uses()[0]) return point(p.u, p.v);
+    if (function_.uses()[2]) return p;
+    const double area = a_.x() * b_.y() - a_.y() * b_.x();
+    p.u = (p.x * b_.y() - p.y * b_.x()) / area;
+    p.v = (a_.x() * p.y - a_.y() * p.x) / area;
+    return p;
+}
+
+/// Checks the first n values.
+/// @param point  point(k) is the point of value k.
+void DensityProbe::check(std::size_t n, const std::function<DensityPoint(std::size_t)>& point) {
     double* const rho = rho_.data();
-    function_(points, {rho, n});
     // The padding of the last lanes adds no new extreme.
     std::fill_n(rho + n, kLanes, n == 0 ? 1 : rho[0]);
     DensityRange range = range_;
     const bool in_limits = n == 0 || find_extremes(rho, n, range.least, range.greatest);
-    if (!in_limits) throw_first_bad_density(points, rho);
+    if (!in_limits) {
+        const auto k = static_cast<std::size_t>(std::find_if_not(rho, rho + n, is_density) - rho);
+        throw_bad_density(point(k), rho[k]);
+    }
     range.n_evaluations += static_cast<std::int64_t>(n);
     range_ = range;
-    return {rho, n};
+}
+
+std::span<const double> DensityProbe::evaluate(std::span<const DensityPoint> points) {
+    const std::size_t n = points.size();
+    if (rho_.size() < n + kLanes) rho_.resize(n + kLanes);
+    function_(points, {rho_.data(), n});
+    check(n, [&](std::size_t k) { return points[k]; });
+    return {rho_.data(), n};
+}
+
+std::span<const double> DensityProbe::evaluate_reserved() {
+    const std::span<const DensityPoint> points{points_.data(), std::exchange(n_reserved_, 0)};
+    if (n_columns_ == 0) return evaluate(points);
+    const std::size_t n_points = points.size();
+    const std::size_t n = n_points + n_columns_;
+    if (rho_.size() < n + kLanes) rho_.resize(n + kLanes);
+    if (n_points > 0) function_(points, {rho_.data(), n_points});
+    function_(columns(), rho_.data() + n_points);
+    n_columns_ = 0;
+    const std::size_t n_repeats = std::exchange(n_repeats_, 0);
+    check(n, [&](std::size_t k) { return k < n_points ? points[k] : column_point(k - n_points); });
+    range_.n_evaluations -= static_cast<std::int64_t>(n_repeats);
+    return {rho_.data(), n};
 }
 
 std::unique_ptr<DensityProbe> DensityProbes::take() {

@@ -1,6 +1,7 @@
 #include "mesher/plane/density/fan_batch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "mesher/base/simd.hpp"
@@ -10,6 +11,8 @@ namespace pcvt::plane {
 namespace {
 
 constexpr int kFirstRoom = 2048;
+constexpr double DensityPoint::*kCoordinates[] = {&DensityPoint::x, &DensityPoint::y,
+                                                  &DensityPoint::u, &DensityPoint::v};
 
 /// The layout of one rule's points in the fans of cells: the first point of every triangle, then
 /// the second point of every triangle, and so on.
@@ -55,6 +58,48 @@ PCVT_TARGET_CLONES void place_fan(const Placement& p, int begin, int end,
     }
 }
 
+/// The same for one coordinate of points by columns.
+struct ColumnPlacement {
+    double along_x;
+    double along_y;
+    const double* from_x;
+    const double* from_y;
+    const double* to_x;
+    const double* to_y;
+    const double* origin;
+    int stride;
+    int q;
+    const double* outwards;
+    const double* across;
+    double* column;
+};
+
+/// Computes the numbers of place_fan, to the last bit.
+PCVT_TARGET_CLONES void place_column(const ColumnPlacement& p) {
+    const int stride = p.stride;
+    const int q = p.q;
+    for (int c = 0; c < stride; c += kLanes) {
+        Lanes from_x, from_y, to_x, to_y, origin;
+        std::memcpy(&from_x, p.from_x + c, sizeof from_x);
+        std::memcpy(&from_y, p.from_y + c, sizeof from_y);
+        std::memcpy(&to_x, p.to_x + c, sizeof to_x);
+        std::memcpy(&to_y, p.to_y + c, sizeof to_y);
+        std::memcpy(&origin, p.origin + c, sizeof origin);
+        const Lanes from = p.along_x * from_x + p.along_y * from_y;
+        const Lanes to = p.along_x * to_x + p.along_y * to_y;
+        const Lanes side = to - from;
+        for (int j = 0; j < q; ++j) {
+            const Lanes ray = from + p.across[j] * side;
+            double* at = p.column + j * std::ptrdiff_t{stride} + c;
+            for (int i = 0; i < q; ++i) {
+                const Lanes point = origin + p.outwards[i] * ray;
+                std::memcpy(at, &point, sizeof point);
+                at += q * std::ptrdiff_t{stride};
+            }
+        }
+    }
+}
+
 struct Corners {
     const double* from_x;
     const double* from_y;
@@ -67,8 +112,9 @@ struct Corners {
 };
 
 /// Computes the moments of the triangles (0, from, to).
-PCVT_TARGET_CLONES void sum_triangles(int n_corners, const Corners& corners, int n_points,
-                                      const double* weights, const double* rho) {
+/// @param stride  the number of values from one point of the triangles to the next.
+PCVT_TARGET_CLONES void sum_triangles(int n_corners, int stride, const Corners& corners,
+                                      int n_points, const double* weights, const double* rho) {
     for (int c = 0; c < n_corners; c += kLanes) {
         // Sum rho times the weights of the monomials over the points.
         Lanes s0{}, s1{}, s2{}, s3{}, s4{}, s5{};
@@ -84,7 +130,7 @@ PCVT_TARGET_CLONES void sum_triangles(int n_corners, const Corners& corners, int
             s4 += w[4] * r;
             s5 += w[5] * r;
             w += 6;
-            here += n_corners;
+            here += stride;
         }
         // Scale the sums to the triangle (0, p, r).
         Lanes px, py, rx, ry;
@@ -118,7 +164,7 @@ FanBatch::FanBatch(DensityProbe& probe, const Eigen::Matrix2d& from_frame)
 void FanBatch::make_room(int n_corners) {
     const std::size_t n = std::max(2 * n_corners, kFirstRoom);
     for (auto* array :
-         {&from_x_, &from_y_, &to_x_, &to_y_, &mass_, &first_x_, &first_y_, &second_}) {
+         {&from_x_, &from_y_, &to_x_, &to_y_, &mass_, &first_x_, &first_y_, &second_, &origin_}) {
         array->resize(n);
     }
 }
@@ -150,12 +196,10 @@ void FanBatch::add(const CellList& cells, std::size_t k, const Vec2& site, int n
     cells_.push_back({n, number, probe_.change(site)});
 }
 
-void FanBatch::end_order() {
-    Group& group = groups_.back();
-    const int n_corners = n_corners_ - group.first_corner;
-    // Reserve the points of all triangles of this order.
-    group.first_point = probe_.n_reserved();
+void FanBatch::place_points(Group& group, int n_corners) {
     const TriangleRule& rule = triangle_rule(group.q);
+    group.first_point = probe_.n_reserved();
+    group.stride = n_corners;
     DensityPoint* const points =
         probe_.reserve(std::size_t(n_corners) * std::size_t(rule.n_points()));
     const Placement placement{along_x_,
@@ -176,9 +220,50 @@ void FanBatch::end_order() {
     }
 }
 
-void FanBatch::take(std::span<const double> rho, std::vector<Moments>& moments) {
+void FanBatch::place_columns(Group& group, int n_corners) {
+    const TriangleRule& rule = triangle_rule(group.q);
+    const auto n_points = static_cast<std::size_t>(rule.n_points());
+    group.first_point = probe_.n_reserved_columns();
+    group.stride = whole_lanes(n_corners);
+    const auto n_repeats = static_cast<std::size_t>(group.stride - n_corners);
+    const std::array<double*, 4> columns =
+        probe_.reserve_columns(n_points * std::size_t(group.stride), n_points * n_repeats);
+    // Fill the last lanes with the last corner.
+    const int first = group.first_corner;
+    for (auto* array : {&from_x_, &from_y_, &to_x_, &to_y_}) {
+        double* const corners = array->data() + first;
+        std::fill_n(corners + n_corners, n_repeats, corners[std::max(n_corners - 1, 0)]);
+    }
+    // Place one coordinate after the other.
+    for (std::size_t d = 0; d < 4; ++d) {
+        if (columns[d] == nullptr || n_corners == 0) continue;
+        double* end = origin_.data();
+        for (std::size_t k = group.first_cell; k < cells_.size(); ++k) {
+            end = std::fill_n(end, cells_[k].n_corners, cells_[k].origin.*kCoordinates[d]);
+        }
+        std::fill_n(end, n_repeats, end[-1]);
+        place_column({along_x_.*kCoordinates[d], along_y_.*kCoordinates[d], from_x_.data() + first,
+                      from_y_.data() + first, to_x_.data() + first, to_y_.data() + first,
+                      origin_.data(), group.stride, group.q, rule.outwards.data(),
+                      rule.across.data(), columns[d]});
+    }
+}
+
+void FanBatch::end_order() {
+    Group& group = groups_.back();
+    const int n_corners = n_corners_ - group.first_corner;
+    if (probe_.takes_columns()) {
+        place_columns(group, n_corners);
+    } else {
+        place_points(group, n_corners);
+    }
+}
+
+void FanBatch::take(std::span<const double> rho, std::size_t n_columns,
+                    std::vector<Moments>& moments) {
+    const double* const values = rho.data() + (probe_.takes_columns() ? rho.size() - n_columns : 0);
     // Integrate over triangles, one group of cells after the other.
-    groups_.push_back({0, n_corners_, cells_.size(), 0});
+    groups_.push_back({0, n_corners_, cells_.size(), 0, 0});
     for (std::size_t g = 0; g + 1 < groups_.size(); ++g) {
         const Group& group = groups_[g];
         const TriangleRule& rule = triangle_rule(group.q);
@@ -187,8 +272,8 @@ void FanBatch::take(std::span<const double> rho, std::vector<Moments>& moments) 
                               to_x_.data() + first,    to_y_.data() + first,
                               mass_.data() + first,    first_x_.data() + first,
                               first_y_.data() + first, second_.data() + first};
-        sum_triangles(groups_[g + 1].first_corner - first, corners, rule.n_points(),
-                      rule.weights.data(), rho.data() + group.first_point);
+        sum_triangles(groups_[g + 1].first_corner - first, group.stride, corners, rule.n_points(),
+                      rule.weights.data(), values + group.first_point);
     }
     // Add up the triangles of each cell.
     int c = 0;

@@ -20,7 +20,7 @@ class FanBatch {
     FanBatch(DensityProbe& probe, const Eigen::Matrix2d& from_frame);
 
     /// Begins an order: the cells added next have rules of q x q points.
-    void begin_order(int q) { groups_.push_back({q, n_corners_, cells_.size(), 0}); }
+    void begin_order(int q) { groups_.push_back({q, n_corners_, cells_.size(), 0, 0}); }
     /// Adds cell k of the list.
     /// @param site    its site, lattice coordinates in [0, 1).
     /// @param number  the index of its moments in the result.
@@ -28,8 +28,9 @@ class FanBatch {
     /// Ends an order: reserves the points of all its cells in the probe.
     void end_order();
     /// Computes the moments of the cells and empties the batch.
-    /// @param rho  the probe's result for all reserved points.
-    void take(std::span<const double> rho, std::vector<Moments>& moments);
+    /// @param rho        the probe's result for all reserved points.
+    /// @param n_columns  those of them that were reserved by columns, at the end.
+    void take(std::span<const double> rho, std::size_t n_columns, std::vector<Moments>& moments);
 
    private:
     /// Cells of one order.
@@ -37,7 +38,10 @@ class FanBatch {
         int q;
         int first_corner;
         std::size_t first_cell;
+        /// Among the points that were reserved alike.
         std::size_t first_point;
+        /// The number of points from the first point of the triangles to the second one.
+        int stride;
     };
     struct Cell {
         int n_corners;
@@ -47,6 +51,8 @@ class FanBatch {
     };
 
     void make_room(int n_corners);
+    void place_points(Group& group, int n_corners);
+    void place_columns(Group& group, int n_corners);
 
     DensityProbe& probe_;
     /// The unit vectors of the frame as changes of a DensityPoint.
@@ -59,6 +65,8 @@ class FanBatch {
     /// triangle between them. The arrays are longer than the number of corners.
     std::vector<double> from_x_, from_y_, to_x_, to_y_;
     std::vector<double> mass_, first_x_, first_y_, second_;
+    /// For each corner of a group one coordinate of the site.
+    std::vector<double> origin_;
 };
 
 }  // namespace pcvt::plane

@@ -10,6 +10,7 @@ add_library(muparser STATIC
 )
 target_include_directories(muparser SYSTEM PUBLIC ${folder}/include)
 target_compile_definitions(muparser PUBLIC MUPARSER_STATIC)
-target_compile_options(muparser PRIVATE -w -ffp-contract=off)
+# It only parses formulas.
+target_compile_options(muparser PRIVATE -w -ffp-contract=off -Os)
 add_library(muparser::muparser ALIAS muparser)
 set(muparser_FOUND TRUE)

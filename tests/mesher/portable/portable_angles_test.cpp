@@ -74,9 +74,7 @@ TEST(PortableAngles, InversesAgreeWithTheLibrary) {
     for (int k = 0; k < 100'000; ++k) {
         const double x = uniform(random);
         const double y = uniform(random);
-        ASSERT_NEAR(portable_asin(x), std::asin(x), 1e-15) << x;
         ASSERT_NEAR(portable_acos(x), std::acos(x), 1e-15 * M_PI) << x;
-        ASSERT_NEAR(portable_atan(100 * x), std::atan(100 * x), 1e-15 * M_PI / 2) << x;
         ASSERT_NEAR(portable_atan2(y, x), std::atan2(y, x), 1e-15 * M_PI) << y << " " << x;
     }
 }
@@ -90,13 +88,10 @@ TEST(PortableAngles, SpecialValuesAreThoseOfTheLibrary) {
         for (const double x : {0.0, -0.0, 1.0, -1.0, HUGE_VAL, -HUGE_VAL}) {
             EXPECT_TRUE(same(portable_atan2(y, x), std::atan2(y, x))) << y << " " << x;
         }
-        EXPECT_TRUE(same(portable_atan(y), std::atan(y))) << y;
         if (std::abs(y) <= 1) {
-            EXPECT_TRUE(same(portable_asin(y), std::asin(y))) << y;
             EXPECT_TRUE(same(portable_acos(y), std::acos(y))) << y;
         }
     }
-    EXPECT_TRUE(std::isnan(portable_asin(1.5)));
     EXPECT_TRUE(std::isnan(portable_acos(-1.5)));
     EXPECT_TRUE(std::isnan(portable_atan2(1, std::nan(""))));
 }

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
+#include <string>
 
 #include "mesher/plane/energy/energy.hpp"
 #include "tests/support/densities.hpp"
@@ -94,6 +97,77 @@ TEST(CellSums, EqualTheMomentsOfEachCellByItself) {
             }
             EXPECT_EQ(place.probe.take_range().n_evaluations, n_evaluations);
         }
+    }
+}
+
+TEST(CellSums, AreTheSameBitsForPointsByColumns) {
+    for (const auto& [name, lattice] : testing::lattices()) {
+        for (const auto& uses :
+             {std::array{true, true, false, false}, std::array{false, false, true, true},
+              std::array{true, true, true, true}}) {
+            SCOPED_TRACE(name);
+            const Points points = uniform_points(lattice, 150, 4);
+            const auto waves = [](const DensityPoint& p) {
+                return 5 + std::sin(p.x) + std::cos(3 * p.y) + p.u * p.v + std::sin(9 * p.v);
+            };
+            const Density columns = testing::density_of_columns(waves, uses);
+            const Density rows = shared_density([&](const DensityPoint& p) {
+                return testing::value_at(columns.make_function(), p);
+            });
+            Place by_points(lattice, points, rows);
+            Place by_columns(lattice, points, columns);
+            EXPECT_FALSE(by_points.probe.takes_columns());
+            EXPECT_TRUE(by_columns.probe.takes_columns());
+            const std::vector<Moments> expected = by_points.integrate(by_points.ordered);
+            const std::vector<Moments> found = by_columns.integrate(by_columns.ordered);
+            for (std::size_t k = 0; k < expected.size(); ++k) {
+                EXPECT_EQ(found[k].mass, expected[k].mass);
+                EXPECT_EQ(found[k].first, expected[k].first);
+                EXPECT_EQ(found[k].second, expected[k].second);
+            }
+            const DensityRange one = by_points.probe.take_range();
+            const DensityRange other = by_columns.probe.take_range();
+            EXPECT_EQ(one.n_evaluations, other.n_evaluations);
+            EXPECT_EQ(one.least, other.least);
+            EXPECT_EQ(one.greatest, other.greatest);
+        }
+    }
+}
+
+/// The fault of a density with a hole in the middle of the domain.
+std::string first_fault(const std::array<bool, 4>& uses) {
+    const Lattice lattice({2, 0}, {0.5, 1});
+    const auto hole = [&](const DensityPoint& p) {
+        const bool by_position = uses[0] && std::hypot(p.x - 1.25, p.y - 0.5) < 0.1;
+        return by_position || std::hypot(p.u - 0.5, p.v - 0.5) < 0.1 ? -1.0 : 1.0;
+    };
+    // Only cells that reach over the seam have points without columns.
+    Place place(lattice, uniform_points(lattice, 300, 4), testing::density_of_columns(hole, uses));
+    try {
+        place.integrate(place.ordered);
+    } catch (const BadDensity& fault) {
+        return fault.what();
+    }
+    return "none";
+}
+
+TEST(CellSums, NameTheWholePointOfABadValue) {
+    // Coordinates without columns are computed from the others.
+    for (const auto& uses :
+         {std::array{true, true, false, false}, std::array{false, false, true, true}}) {
+        double x = 0;
+        double y = 0;
+        double u = 0;
+        double v = 0;
+        const std::string text = first_fault(uses);
+        const std::size_t at = text.find("at x = ");
+        ASSERT_NE(at, std::string::npos) << text;
+        ASSERT_EQ(std::sscanf(text.c_str() + at, "at x = %lf, y = %lf (u = %lf, v = %lf)", &x, &y,
+                              &u, &v),
+                  4);
+        EXPECT_NEAR(x, 2 * u + 0.5 * v, 1e-4);
+        EXPECT_NEAR(y, v, 1e-4);
+        EXPECT_LT(std::hypot(x - 1.25, y - 0.5), 0.3);
     }
 }
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
+#include <vector>
 
 #include "tests/support/densities.hpp"
 #include "tests/support/symmetry.hpp"
@@ -48,6 +50,49 @@ TEST(FoldedDensity, GivesTheFunctionThePointItIsFoldedTo) {
         shared_density([](const DensityPoint& p) { return 1 + p.x + 100 * p.y; }), group);
     const DensityProbe probe(group.lattice(), folded.make_function());
     EXPECT_DOUBLE_EQ(testing::value_at(folded.make_function(), probe.point(0.5, 0.75)), 52.5);
+}
+
+/// Compares the values at points by columns with those at single points.
+void expect_same_bits_by_columns(const Density& density, const Lattice& lattice) {
+    const DensityFunction function = density.make_function();
+    ASSERT_TRUE(function.takes_columns());
+    const DensityProbe probe(lattice, function);
+    std::mt19937_64 random(1);
+    std::uniform_int_distribution<int> uniform(0, 64);
+    std::array<std::vector<double>, 4> columns;
+    for (int k = 0; k < 400; ++k) {
+        // Many points have several images with the same u.
+        const DensityPoint p = probe.point(uniform(random) / 64.0, uniform(random) / 64.0);
+        columns[0].push_back(p.x);
+        columns[1].push_back(p.y);
+        columns[2].push_back(p.u);
+        columns[3].push_back(p.v);
+    }
+    std::vector<double> rho(400);
+    function({{columns[0].data(), columns[1].data(), columns[2].data(), columns[3].data()}, 400},
+             rho.data());
+    for (std::size_t k = 0; k < rho.size(); ++k) {
+        EXPECT_EQ(rho[k], testing::value_at(function, {columns[0][k], columns[1][k], columns[2][k],
+                                                       columns[3][k]}));
+    }
+}
+
+double wave(const DensityPoint& p) { return p.x + 10 * p.y + 100 * p.u + 1000 * p.v; }
+
+TEST(FoldedDensity, HasTheSameBitsForPointsByColumns) {
+    const Density density = testing::density_of_columns(wave, {true, true, true, true});
+    for (const PlaneGroupRow& row : kPlaneGroups) {
+        const PlaneGroup group(row.name, testing::fitting_lattice(row.name));
+        SCOPED_TRACE(row.word);
+        expect_same_bits_by_columns(folded_density(density, group), group.lattice());
+    }
+}
+
+TEST(MirroredDensity, HasTheSameBitsForPointsByColumns) {
+    const Density density = testing::density_of_columns(wave, {true, true, true, true});
+    for (const Walls walls : {Walls::kX, Walls::kY, Walls::kXY}) {
+        expect_same_bits_by_columns(mirrored_density(density, walls), Lattice::rectangle(3, 2));
+    }
 }
 
 TEST(FoldedDensity, MapsBreakLines) {
