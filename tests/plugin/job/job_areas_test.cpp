@@ -352,7 +352,7 @@ TEST(JobAreas, SitesOfTheReportsAreThoseOfTheFiles) {
     job.outputs = {folder / "t.svg", folder / "t.txt", folder / "t.csv"};
     job.report = folder / "r.json";
     const RunSummary summary = run_job(job, {});
-    EXPECT_LT(summary.areas->newton.largest_relative_error, 1e-10);
+    EXPECT_LT(summary.sizes->newton.largest_relative_error, 1e-10);
     const plane::Points sites = read_sites<2>({.path = folder / "t.txt"}).points;
     const Computation<PlaneWorld> computed = compute_job<PlaneWorld>(job, {}).value();
     EXPECT_EQ(sites, wrapped_sites(computed.cells, job.in_plane().origin));
