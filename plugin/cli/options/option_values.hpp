@@ -11,6 +11,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/plane/geometry/lattice.hpp"
 #include "mesher/space/geometry/lattice.hpp"
+#include "mesher/torus/repetition.hpp"
 #include "mesher/torus/voxels.hpp"
 
 namespace pcvt::cli {

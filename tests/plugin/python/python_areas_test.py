@@ -40,8 +40,8 @@ class Areas(unittest.TestCase):
             pcvt.mesh(one.sites, OBLIQUE, weights=one.weights)
         with self.assertRaisesRegex(pcvt.GeometryError, "^the cell of site 1 is empty"):
             pcvt.mesh([[0.2, 0.2], [0.3, 0.2], [0.7, 0.7]], weights=[0.1, 0, 0], max_iterations=0)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "^weights is not for three dimensions"):
-            pcvt.mesh([[0, 0, 0]], period=(1, 1, 1), weights=[0], max_iterations=0)
+        with self.assertRaisesRegex(pcvt.ArgumentError, "^areas is not for three dimensions"):
+            pcvt.mesh([[0, 0, 0]], period=(1, 1, 1), areas=[1], max_iterations=0)
 
     def test_a_law_is_drawn_from_the_seed(self):
         one, same, other = (pcvt.mesh(200, areas="lognormal:0.42", max_iterations=0, seed=seed) for seed in (1, 1, 2))
