@@ -10,9 +10,7 @@
 
 // Functions that return vectors of the widest units are always inlined, so that they have no binary
 // interface.
-#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wpsabi"
-#endif
 
 namespace pcvt::space {
 namespace {
