@@ -3,6 +3,8 @@
 #include "io/formats/space_file_proof.hpp"
 #include "io/gltf/space_gltf_proof.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/cells/orientations.hpp"
+#include "mesher/space/cvt/weighted_cells.hpp"
 #include "tests/support/space_tiles.hpp"
 
 namespace pcvt::testing {
@@ -39,6 +41,30 @@ void add_without_short_edges(const SpaceFormat& format, const SpaceCase& c, cons
         return;
     bases.push_back({"short " + c.name, plane::MeshKind::kVoronoi,
                      format.encode(tile_of(c, 0.05), SurfaceForm::kCells, path)});
+}
+
+/// Adds cells with phases and orientations, and power cells with their weights.
+void add_materials(const SpaceFormat& format, const SpaceCase& c, const std::string& path,
+                   std::vector<BaseFile>& bases) {
+    if (!format.states_materials) return;
+    SpaceTile tile = tile_of(c);
+    tile.materials = {.phase_names = {"a", "b"},
+                      .site_phase = {0, 1, 1, 0, 1},
+                      .site_orientation = random_orientations(5, 1)};
+    bases.push_back({"materials " + c.name, plane::MeshKind::kVoronoi,
+                     format.encode(tile, SurfaceForm::kCells, path)});
+    if (!format.states_weights) return;
+    const Eigen::VectorXd weights = 0.02 * Eigen::VectorXd::LinSpaced(5, 0, 1);
+    const space::WeightedCells cells = space::weighted_cells(c.lattice, c.points, weights, {});
+    const space::PeriodicDelaunay& delaunay = cells.delaunay;
+    const space::CellComplex complex =
+        cell_complex(delaunay.sites, delaunay.tetrahedra, delaunay.weights);
+    std::vector<space::Offset> images;
+    SpaceTile power{.mesh = polyhedral_mesh(delaunay.sites, complex, {0, 0, 0}, &images)};
+    power.sites = sites_of_cells(complex, images);
+    power.weights = delaunay.weights;
+    bases.push_back({"power " + c.name, plane::MeshKind::kVoronoi,
+                     format.encode(power, SurfaceForm::kCells, path)});
 }
 
 void add_tetrahedra(const SpaceFormat& format, const SpaceCase& c, const std::string& path,
@@ -102,6 +128,7 @@ std::vector<BaseFile> space_base_files(std::string_view extension) {
     for (const SpaceCase& c : cases()) {
         if (format.encode != nullptr) add_space_tile(format, c, path, bases);
         if (c.name == "oblique") add_without_short_edges(format, c, path, bases);
+        if (c.name == "oblique") add_materials(format, c, path, bases);
         if (format.encode_tetrahedra != nullptr) add_tetrahedra(format, c, path, bases);
     }
     return bases;

@@ -39,6 +39,10 @@ std::span<const Harmless> harmless_in_space() {
         Harmless{"alone site row", "delete", "without its only line the file states no site",
                  "boundary one"},
         Harmless{"face.halfedge", "", "another halfedge of the face"},
+        Harmless{"PhaseNames*", "", "the names of the phases are the user's words, stated once",
+                 "materials"},
+        Harmless{"Orientation value", "",
+                 "another orientation with the same colour in the pole figure", "materials"},
         Harmless{"alone mtllib*", "", "the material file is missing"},
         Harmless{"alone usemtl*", "", "the material file is missing"},
     };
