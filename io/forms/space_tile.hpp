@@ -13,7 +13,7 @@ struct SpaceTile {
     space::Points sites = space::Points(3, 0);
     /// The weight of each site, length^2; empty for Voronoi cells.
     Eigen::VectorXd weights = {};
-    /// Of the cells, where the run has some and a format states them.
+    /// The materials of the cells, where the run has some and a format states them.
     CellMaterials materials = {};
 };
 

@@ -18,11 +18,11 @@ struct SpaceVoxels {
 
 /// A voxel image as read from a file, before any of it is believed.
 struct VoxelFile {
-    /// Of the plane.
+    /// The image of a file of the plane.
     plane::VoxelImage image;
     /// Where the file states the sites of the cells.
     std::optional<plane::VoxelCells> cells = {};
-    /// Of a file of space: `image` and `cells` are empty.
+    /// The voxels of a file of space, whose `image` and `cells` are empty.
     std::optional<SpaceVoxels> space = {};
     /// One a cell, where the materials lie beside the image.
     std::optional<std::vector<DamaskEntry>> materials = {};

@@ -16,7 +16,8 @@ constexpr double kLeastReduction = 0.1;
 /// residual (Y. Notay 2010).
 constexpr double kSecondStep = 0.25;
 constexpr int kMostProducts = 400;
-/// A problem with at most this many rows is solved directly after so many products.
+/// A problem with at most kDirect rows is solved directly once it has taken
+/// kMostProductsBeforeDirect products.
 constexpr int kDirect = 1000;
 constexpr int kMostProductsBeforeDirect = 100;
 

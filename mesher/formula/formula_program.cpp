@@ -11,8 +11,8 @@
 namespace pcvt {
 namespace {
 
-/// Blocks of so many points keep the rows of a usual formula in the first-level cache, and make the
-/// cost of a call negligible.
+/// The number of points of a block: the rows of a usual formula stay in the first-level cache, and
+/// the cost of a call is negligible.
 constexpr int kMostPoints = 256;
 /// A formula with thousands of rows gets shorter blocks, within this many numbers.
 constexpr int kMostNumbers = 1 << 16;

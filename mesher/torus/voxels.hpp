@@ -1,7 +1,10 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/base/law_violation.hpp"
 #include "mesher/base/site_id.hpp"
 
 namespace pcvt {
@@ -43,6 +46,19 @@ struct VoxelProof {
 /// In units of h, the square root of area / n or the cube root of volume / n: a centre may lie so
 /// far outside of the cell that it names, because positions are rounded in files.
 inline constexpr double kVoxelTolerance = 1e-9;
+
+/// Requires that each voxel names a site from 0 to n_cells - 1.
+/// @param name_of  returns the name of a voxel by its index.
+/// @throws NotATile naming the first voxel that does not.
+template <class NameOf>
+void require_voxel_ids(const std::vector<SiteId>& sites, int n_cells, const NameOf& name_of) {
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+        checkpoint_each(static_cast<long>(k));
+        if (sites[k] >= 0 && sites[k] < n_cells) continue;
+        throw NotATile(name_of(k) + " names cell " + std::to_string(sites[k]) +
+                       ", but the cells are 0 to " + std::to_string(n_cells - 1));
+    }
+}
 
 /// The cells 0 ... n_cells - 1 that no voxel names.
 /// @param sites  those of the voxels, from 0 to n_cells - 1.

@@ -96,7 +96,7 @@ int on_progress(const pcvt_progress* p, void* data) {
                            p->phase, p->fraction, p->phase_text, sites.points, sites.n_sites);
 }
 
-/// Of the table that was read last.
+/// The contents of the table that was read last.
 TableContents contents_of_table;
 
 /// Keeps numbers for the time of a run, and says how many values they are.

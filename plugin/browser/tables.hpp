@@ -20,10 +20,10 @@ pcvt_status read_tables(Run& run);
 /// @param status  of the run that failed.
 void name_lines(const Run& run, pcvt_status status);
 
-/// What a table holds: sites or sizes.
+/// The use of a table: sites or sizes.
 enum class TableUse { kGuessed = 0, kSites = 1, kSizes = 2 };
 
-/// What a table holds, for a page that shows it before a run.
+/// The contents of a table, for a page that shows it before a run.
 struct TableContents {
     /// Lines: the use (sites or sizes), the number of rows, the name for --input or --areas, the
     /// quantity (sites, areas, diameters or radii), the columns with tabs, and their unit. The

@@ -28,7 +28,8 @@ std::string listed(const char* const* names, int n) {
 
 extern "C" {
 
-/// Of a result in the plane. @param names  becomes the names of the phases, with commas.
+/// Gives the arrays of a result in the plane. @param names  becomes the names of the phases, with
+/// commas.
 EMSCRIPTEN_KEEPALIVE int view_sites(const Run* run, Array* arrays, const char** names) {
     static pcvt_sites view;
     static std::string phases;
@@ -84,7 +85,7 @@ EMSCRIPTEN_KEEPALIVE int view_mesh(const Run* run, int kind, Array* arrays) {
     return PCVT_OK;
 }
 
-/// Of a result in space. @param n_inner_faces  is set as well.
+/// Gives the arrays of a result in space. @param n_inner_faces  is set as well.
 EMSCRIPTEN_KEEPALIVE int view_cells(const Run* run, Array* arrays, std::int32_t* n_inner_faces) {
     static pcvt_cells view;
     const pcvt_status status = pcvt_get_cells(run->result, &view, sizeof view);

@@ -25,7 +25,7 @@ struct Question {
     std::optional<InclusionFile> inclusions = {};
     /// The tolerance of positions, length units; 0: the precision of each file.
     double tolerance = 0;
-    /// Of the centroids; empty: rho = 1.
+    /// The density of the centroids; empty: rho = 1.
     DensityOfLattice density = {};
 };
 

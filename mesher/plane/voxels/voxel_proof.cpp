@@ -34,12 +34,8 @@ void require_periods(const VoxelGrid& grid, const Lattice& lattice) {
 }  // namespace
 
 void require_voxel_ids(const VoxelImage& image, int n_cells) {
-    for (std::size_t k = 0; k < image.site.size(); ++k) {
-        checkpoint_each(static_cast<long>(k));
-        if (image.site[k] >= 0 && image.site[k] < n_cells) continue;
-        throw NotATile(voxel_name(image.grid, k) + " names cell " + std::to_string(image.site[k]) +
-                       ", but the cells are 0 to " + std::to_string(n_cells - 1));
-    }
+    pcvt::require_voxel_ids(image.site, n_cells,
+                            [&](std::size_t voxel) { return voxel_name(image.grid, voxel); });
 }
 
 VoxelProof prove_voxels(const VoxelImage& image, const VoxelCells& cells) {

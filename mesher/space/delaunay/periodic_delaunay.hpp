@@ -14,7 +14,7 @@ namespace pcvt::space {
 struct PeriodicDelaunay {
     Sites sites;
     TorusTetrahedra tetrahedra;
-    /// Of each site, length^2; empty: all are equal.
+    /// The weight of each site, length^2; empty: all are equal.
     Eigen::VectorXd weights = {};
 };
 

@@ -85,7 +85,7 @@ class TetrahedraFlips {
     Gram gram_;
     Observer after_flip_;
     std::vector<int> queue_;
-    /// Of the last flip.
+    /// The tetrahedra that the last flip changed.
     std::vector<int> changed_;
     ExchangedTetrahedra exchanged_;
     std::int64_t n_flips_ = 0;

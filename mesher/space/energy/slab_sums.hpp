@@ -17,7 +17,7 @@ struct SlabRange {
 
 /// Divides tetrahedra into slabs, whose number does not depend on the number of threads.
 inline std::vector<SlabRange> slabs_of(int n_tetrahedra) {
-    // A slab has at least so many tetrahedra.
+    // The least size of a slab, and the largest number of slabs.
     constexpr int kTetrahedraPerSlab = 50'000;
     constexpr int kMostSlabs = 32;
     const int n_slabs = std::clamp(n_tetrahedra / kTetrahedraPerSlab, 1, kMostSlabs);

@@ -124,7 +124,7 @@ struct PowerSumsOf {
     Lanes value{};
 };
 
-/// What the edges of a tetrahedron need of its facets.
+/// The quantities of facets that the sums over the edges of a tetrahedron use.
 struct FacetsOf {
     /// 1 / |N|^2, q and Phi of the facets opposite to the corners.
     std::array<Lanes, 4> per_nn;

@@ -187,7 +187,7 @@ export interface Cells {
     weights: Float64Array | null;
     /** length^2. */
     area: Float64Array;
-    /** Of the circle with the same area. */
+    /** The diameter of the circle with the same area. */
     diameter: Float64Array;
     sides: Int32Array;
     /** The perimeter of that circle over that of the cell. */
