@@ -194,6 +194,33 @@ void check_constraints(const Job& job) {
     }
 }
 
+/// Checks what follows from the options of a job in space.
+void check_space(const Job& job) {
+    check_stability(job);
+    check_short_edges(job);
+    check_origin(job.in_space(), job.n_wanted());
+}
+
+/// Checks what follows from the options of a job in the plane, but for materials and constraints.
+void check_plane(const Job& job) {
+    check_aspect(job);
+    const double n = job.n_wanted();
+    check_symmetry(job);
+    check_fixed_sites(job);
+    if (job.run.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
+    check_short_edges(job);
+    check_repetition(job);
+    check_stability(job);
+    check_meshes(job);
+    if (n * job.tile.repeat.n_copies() > plane::kMostSites) {
+        throw LimitExceeded("more than " + std::to_string(plane::kMostSites) +
+                            " cells in one tile; take fewer sites or repeat less often");
+    }
+    check_origin(job, reduce_repeated(job), n);
+    check_holes(job);
+    if (job.inclusions) require_tag_names(*job.inclusions);
+}
+
 }  // namespace
 
 bool has_mesh(const Job& job, bool plane::MeshKindRow::*property) {
@@ -219,33 +246,13 @@ void check_job(const Job& job) {
     require_compatible(job);
     if (job.n_wanted() < 1) throw InvalidInput("no sites; give at least one");
     if (job.is_in_space()) {
-        check_stability(job);
-        check_short_edges(job);
-        check_origin(job.in_space(), job.n_wanted());
-        require_phase_names(job.materials);
-        require_one_a_site(job.materials, job.n_wanted());
-        return;
+        check_space(job);
+    } else {
+        check_plane(job);
     }
-    // What follows from the options themselves.
-    check_aspect(job);
-    const double n = job.n_wanted();
-    check_symmetry(job);
-    check_fixed_sites(job);
-    if (job.run.n_threads < 1) throw InvalidInput("the number of threads is below 1; take 1");
-    check_short_edges(job);
-    check_repetition(job);
-    check_stability(job);
-    check_meshes(job);
-    if (n * job.tile.repeat.n_copies() > plane::kMostSites) {
-        throw LimitExceeded("more than " + std::to_string(plane::kMostSites) +
-                            " cells in one tile; take fewer sites or repeat less often");
-    }
-    check_origin(job, reduce_repeated(job), n);
-    check_holes(job);
-    if (job.inclusions) require_tag_names(*job.inclusions);
     require_phase_names(job.materials);
     require_one_a_site(job.materials, job.n_wanted());
-    check_constraints(job);
+    if (!job.is_in_space()) check_constraints(job);
 }
 
 }  // namespace pcvt
