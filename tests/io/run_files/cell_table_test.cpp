@@ -75,6 +75,23 @@ TEST(CellRows, OfSpaceAreReadBack) {
     EXPECT_THROW(reads_back("c.csv", text, rows), BadFile);
 }
 
+/// The writer and the reader share the order of the fields, so this row is stated. The cube of edge
+/// 2 has the diameter (48 / pi)^(1/3) = 2.4814... and the sphericity (pi / 6)^(1/3) = 0.80599...
+TEST(CellRows, EachColumnHoldsTheQuantityOfItsName) {
+    CellRows rows{.sites = Eigen::Vector3d(0.5, 0.25, 0.125), .cells = {}};
+    rows.weights = Eigen::VectorXd::Constant(1, -0.5);
+    rows.cells.dimension = 3;
+    rows.cells.measure = {8};
+    rows.cells.surface = {24};
+    rows.cells.sides = {6};
+    rows.cells.neighbour_begin = {0, 6};
+    rows.cells.neighbours = {0, 0, 0, 0, 0, 0};
+    EXPECT_THAT(
+        encode_cells(rows),
+        ::testing::ContainsRegex(
+            "neighbours\n0,0\\.5,0\\.25,0\\.125,-0\\.5,8,2\\.4814[0-9]*,6,0\\.80599[0-9]*,"));
+}
+
 TEST(CellRows, TheHeadStatesTheUnits) {
     const std::string text = encode_cells(example_rows(true, true));
     EXPECT_THAT(text, ::testing::HasSubstr("lengths in the unit of the period vectors\n"));
