@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "io/bytes/extension.hpp"
+#include "io/formats/extension.hpp"
 #include "io/formats/plane_rows.hpp"
 #include "io/formats/single_precision.hpp"
 #include "io/formats/space_rows.hpp"

@@ -26,8 +26,6 @@ struct Torus {
     plane::Vec2 origin;
     /// The density at each site; empty where it is uniform.
     std::span<const double> site_densities;
-    /// As FileOptions::coriolis.
-    std::optional<std::array<double, 2>> coriolis = {};
     /// The run that made the cells; may be empty.
     std::string history = {};
 };
@@ -36,7 +34,8 @@ using TileWriter = std::vector<EncodedFile>(const plane::Tile& tile, const std::
 /// Writes a tile in one of several forms, which the options choose.
 using TileFormWriter = std::vector<EncodedFile>(const plane::Tile& tile, const FileOptions& options,
                                                 const std::string& path);
-using TorusWriter = std::vector<EncodedFile>(const Torus& torus, const std::string& path);
+using TorusWriter = std::vector<EncodedFile>(const Torus& torus, const FileOptions& options,
+                                             const std::string& path);
 using SiteWriter = std::vector<EncodedFile>(const plane::Points& sites, const std::string& path);
 /// Writes measures of the cells at the sites.
 using CellWriter = std::vector<EncodedFile>(const CellRows& rows, const std::string& path);

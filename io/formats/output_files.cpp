@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <span>
 
-#include "io/bytes/extension.hpp"
 #include "io/bytes/nearest_word.hpp"
+#include "io/formats/extension.hpp"
 #include "io/formats/single_precision.hpp"
 #include "io/forms/triangle_elements.hpp"
 #include "io/solvers/inp_sections.hpp"
@@ -72,9 +72,12 @@ const Format& format_of_output(const std::string& path, std::string (*known)()) 
 
 bool has_cells(plane::MeshKind kind) { return mesh_kind_row(kind).faces_have_sites; }
 
+using Meshes = std::span<const plane::MeshKind>;
+
 /// Requires that a format holds the mesh `content.tile.kind`; any one where it needs no tile.
+/// @param meshes  of the run.
 void require_held(const Format& format, const FormatRequest& content, const RunRequest& run,
-                  const std::string& path) {
+                  Meshes meshes, const std::string& path) {
     if (format.needs_torus() && (content.has_weights || run.has_metric)) {
         throw InvalidInput(path +
                            ": the grid needs Voronoi cells; leave areas, weights and aspect out, "
@@ -83,7 +86,7 @@ void require_held(const Format& format, const FormatRequest& content, const RunR
     if (format.check != nullptr) naming_path(path, [&] { format.check(content); });
     // Beside a mesh of cells, the file of the triangles may lack what belongs to cells.
     const bool needs_cells =
-        !format.holds_polygons || std::none_of(run.meshes.begin(), run.meshes.end(), has_cells);
+        !format.holds_polygons || std::none_of(meshes.begin(), meshes.end(), has_cells);
     if (format.states_materials && run.has_materials && !has_cells(content.tile.kind) &&
         needs_cells) {
         throw InvalidInput(path +
@@ -93,16 +96,16 @@ void require_held(const Format& format, const FormatRequest& content, const RunR
     if (format.needs_tile() && !format.holds_polygons) require_triangles(content.tile.kind, path);
 }
 
-void add_files(const std::string& path, const RunRequest& run, std::vector<OutputFile>& files) {
+void add_files(const std::string& path, const RunRequest& run, Meshes meshes,
+               std::vector<OutputFile>& files) {
     const Format& format = format_of_output(path, output_extensions);
-    std::span<const plane::MeshKind> meshes = kCells;
-    if (format.needs_tile()) meshes = run.meshes;
+    const Meshes written = format.needs_tile() ? meshes : Meshes(kCells);
     FormatRequest content = run.content;
-    for (std::size_t m = 0; m < meshes.size(); ++m) {
-        content.tile.kind = meshes[m];
+    for (std::size_t m = 0; m < written.size(); ++m) {
+        content.tile.kind = written[m];
         const std::string suffix = std::string("-") + mesh_kind_row(content.tile.kind).word;
-        const std::string name = meshes.size() > 1 ? with_suffix(path, suffix) : path;
-        require_held(format, content, run, path);
+        const std::string name = written.size() > 1 ? with_suffix(path, suffix) : path;
+        require_held(format, content, run, meshes, path);
         files.push_back({format.paths(name), &format,
                          format.needs_tile() ? static_cast<int>(m) : -1,
                          format.is_folder ? name : std::string()});
@@ -121,31 +124,33 @@ void require_precision(const SpaceRequest& run) {
                     .largest = longest});
 }
 
-void add_files(const std::string& path, const SpaceRequest& run, std::vector<OutputFile>& files) {
+void add_files(const std::string& path, const SpaceRequest& run, Meshes meshes,
+               std::vector<OutputFile>& files) {
+    const plane::MeshKind mesh = meshes.front();
     const Format& format = format_of_output(path, space_extensions);
     if (!format.space) {
         throw InvalidInput(path + ": " + std::string(format.extension) +
                            " does not support three dimensions; take " + space_extensions() +
                            ", or give two period vectors");
     }
-    if (run.mesh == plane::MeshKind::kDelaunay && format.space->encode != nullptr &&
+    if (mesh == plane::MeshKind::kDelaunay && format.space->encode != nullptr &&
         format.space->encode_tetrahedra == nullptr) {
         throw InvalidInput(path + ": the format holds no tetrahedra; take " +
                            tetrahedra_extensions() + ", or write the cells in a run of their own");
     }
-    if (run.short_edges > 0 && !format.space->takes_short_edges(run.mesh)) {
+    if (run.short_edges > 0 && !format.space->takes_short_edges(mesh)) {
         throw InvalidInput(path + ": such files cannot say that short edges were removed; take " +
                            short_edges_extensions() + " with the cells");
     }
-    if (run.has_weights && !format.space->takes_weights(run.mesh)) {
+    if (run.has_weights && !format.space->takes_weights(mesh)) {
         throw InvalidInput(path + ": such files cannot state the weights of power cells; take " +
                            weight_extensions());
     }
-    if (format.is_single_precision) naming_path(path, [&] { require_precision(run); });
     if (format.space->takes.voxels) {
         naming_path(path,
                     [&] { requested_voxels(run.lattice, std::max(run.n_sites, 1), run.voxels); });
     }
+    if (format.is_single_precision) naming_path(path, [&] { require_precision(run); });
     files.push_back({.paths = format.space->paths(path),
                      .format = &format,
                      .folder = format.is_folder ? path : std::string()});
@@ -153,9 +158,9 @@ void add_files(const std::string& path, const SpaceRequest& run, std::vector<Out
 
 }  // namespace
 
-void add_output(const std::string& path, const OutputRequest& request,
+void add_output(const std::string& path, const OutputRequest& request, Meshes meshes,
                 std::vector<OutputFile>& files) {
-    std::visit([&](const auto& run) { add_files(path, run, files); }, request);
+    std::visit([&](const auto& run) { add_files(path, run, meshes, files); }, request);
 }
 
 std::string without_slash(const std::string& path) {

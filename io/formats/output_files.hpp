@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,7 +15,7 @@ struct OutputFile {
     /// The path itself first, then the companions; of a folder the files in it.
     std::vector<std::string> paths;
     const Format* format;
-    /// Formats of tiles: the index into RunRequest::meshes; else -1.
+    /// Formats of tiles: the index of the mesh of a run; else -1.
     int mesh = -1;
     /// Empty unless the files lie in a folder of their own.
     std::string folder = {};
@@ -25,9 +26,8 @@ struct OutputFile {
 
 /// The content of all files of a run in the plane, known before anything is computed.
 struct RunRequest {
-    /// The content of each file; its mesh is one of `meshes`.
+    /// The content of each file; its mesh is one of the run's.
     FormatRequest content;
-    std::vector<plane::MeshKind> meshes;
     /// Whether the cells are those of a metric.
     bool has_metric = false;
     /// Whether the cells have phases, tags or orientations.
@@ -37,7 +37,6 @@ struct RunRequest {
 /// The same of a run in space.
 struct SpaceRequest {
     space::Lattice lattice;
-    plane::MeshKind mesh;
     double short_edges = 0;
     /// 0: not known yet.
     int n_sites = 0;
@@ -54,13 +53,14 @@ using OutputRequest = std::variant<RunRequest, SpaceRequest>;
 ///
 /// Example usage:
 ///   std::vector<OutputFile> files;
-///   add_output("tile.obj", request, files);
+///   add_output("tile.obj", request, job.meshes, files);
 ///   for (const OutputFile& file : files) std::puts(file.path().c_str());
 ///
+/// @param meshes  of the run; in space there is one.
 /// @throws InvalidInput, which begins with the path, for an unknown extension, and for a request
 ///         that the format cannot hold.
 void add_output(const std::string& path, const OutputRequest& request,
-                std::vector<OutputFile>& files);
+                std::span<const plane::MeshKind> meshes, std::vector<OutputFile>& files);
 
 /// `path` without the slash that shells append to the name of a case folder: t.foam/ -> t.foam.
 std::string without_slash(const std::string& path);

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "io/bytes/extension.hpp"
 #include "io/formats/single_precision.hpp"
 #include "io/forms/triangle_elements.hpp"
 #include "io/gltf/gltf_reader.hpp"
@@ -115,10 +114,11 @@ void require_voxel_grid(const FormatRequest& request) {
     requested_voxels(request);
 }
 
-std::vector<EncodedFile> write_mpas(const Torus& torus, const std::string& path) {
+std::vector<EncodedFile> write_mpas(const Torus& torus, const FileOptions& options,
+                                    const std::string& path) {
     MpasGrid grid = mpas_grid(torus.cells, torus.origin);
     if (!torus.site_densities.empty()) fill_mesh_density(torus.site_densities, grid);
-    if (torus.coriolis) fill_coriolis({(*torus.coriolis)[0], (*torus.coriolis)[1]}, grid);
+    if (const auto& f = options.coriolis) fill_coriolis({(*f)[0], (*f)[1]}, grid);
     const std::vector<std::string> paths = mpas_paths(path);
     std::vector<EncodedFile> files = only_file(paths[0], encode_mpas(grid, torus.history));
     files.push_back({paths[1], encode_mpas_graph(grid)});

@@ -15,7 +15,8 @@ void require_mpas_torus(const FormatRequest& request);
 std::vector<std::string> mpas_paths(const std::string& path);
 void require_image_size(const FormatRequest& request);
 void require_voxel_grid(const FormatRequest& request);
-std::vector<EncodedFile> write_mpas(const Torus& torus, const std::string& path);
+std::vector<EncodedFile> write_mpas(const Torus& torus, const FileOptions& options,
+                                    const std::string& path);
 MpasGrid read_mpas(const std::vector<EncodedFile>& files);
 std::vector<EncodedFile> write_sites(const plane::Points& sites, const std::string& path);
 bool reads_back_sites(const std::vector<EncodedFile>& files, const plane::Points& sites);

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "io/bytes/bad_file.hpp"
-#include "io/bytes/extension.hpp"
 #include "io/bytes/output_error.hpp"
+#include "io/formats/extension.hpp"
 #include "io/forms/space_surface.hpp"
 #include "io/gltf/space_gltf_proof.hpp"
 #include "io/graphics/obj_reader.hpp"

@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "io/bytes/extension.hpp"
 #include "io/bytes/text.hpp"
 #include "io/forms/finite.hpp"
 #include "io/forms/plane_surface.hpp"
@@ -139,10 +138,19 @@ std::string mtl_text(const SurfaceMesh& mesh) {
     return text;
 }
 
+/// The path of the materials beside `path`, which the file names as one word: "a b/my tile.obj" has
+/// "a b/my_tile.mtl".
+std::string path_of_materials(const std::string& path) {
+    const std::filesystem::path beside = std::filesystem::path(path).replace_extension(".mtl");
+    std::string name = beside.filename().string();
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return std::filesystem::path(beside).replace_filename(name).string();
+}
+
 }  // namespace
 
 std::vector<std::string> obj_mesh_paths(const std::string& path) {
-    return {path, one_word_beside(path, ".mtl")};
+    return {path, path_of_materials(path)};
 }
 
 std::vector<EncodedFile> encode_obj_mesh(const SurfaceMesh& mesh, const std::string& path) {

@@ -32,10 +32,7 @@ bool are_zero(const double* numbers, int n) {
 }
 
 void set_centroids(const pcvt_check_options& options, checks::Question& question) {
-    if (options.cvt != 0) {
-        require_positive("cvt", options.cvt);
-        question.cvt_tolerance = options.cvt;
-    }
+    question.cvt_tolerance = positive_or_none("cvt", options.cvt);
     std::optional<GreyRange> range;
     if (!are_zero(options.density_range, 2)) {
         range = GreyRange{options.density_range[0], options.density_range[1]};
@@ -58,10 +55,7 @@ void set_centroids(const pcvt_check_options& options, checks::Question& question
 checks::Question question_of(const pcvt_check_options& options) {
     checks::Question question;
     if (!are_zero(options.lattice, 4)) question.lattice = plane_lattice(options.lattice);
-    if (options.tolerance != 0) {
-        require_positive("tolerance", options.tolerance);
-        question.tolerance = options.tolerance;
-    }
+    question.tolerance = positive_or_none("tolerance", options.tolerance).value_or(0);
     set_centroids(options, question);
     if (options.areas != nullptr) {
         if (names_area_law(options.areas)) {

@@ -35,6 +35,12 @@ void require_positive(const char* name, double value) {
     throw InvalidInput(std::string(name) + " is not a positive number");
 }
 
+std::optional<double> positive_or_none(const char* name, double value) {
+    if (value == 0) return std::nullopt;
+    require_positive(name, value);
+    return value;
+}
+
 plane::Lattice plane_lattice(const double* numbers) {
     require_finite("lattice", numbers, 4);
     return {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "mesher/base/choices.hpp"
@@ -22,6 +23,9 @@ void require_finite_points(const char* name, const double* numbers, int n, int d
 
 /// Requires a positive, finite number.
 void require_positive(const char* name, double value);
+
+/// A positive, finite number, or `nullopt` for 0, which leaves the field out.
+std::optional<double> positive_or_none(const char* name, double value);
 
 /// The lattice of the field `lattice`, four numbers ax, ay, bx, by.
 plane::Lattice plane_lattice(const double* numbers);

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "io/bytes/extension.hpp"
+#include "io/formats/extension.hpp"
 #include "io/run_files/table_name.hpp"
 #include "plugin/cli/options/command_words.hpp"
 #include "plugin/cli/options/option_values.hpp"

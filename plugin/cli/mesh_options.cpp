@@ -7,7 +7,6 @@
 #include <optional>
 #include <thread>
 
-#include "io/bytes/extension.hpp"
 #include "plugin/cli/help_command.hpp"
 #include "plugin/cli/option_list.hpp"
 #include "plugin/cli/options/command_words.hpp"

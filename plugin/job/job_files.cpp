@@ -15,11 +15,10 @@ namespace {
 /// The content that a job has for its files.
 OutputRequest output_request(const Job& job) {
     if (job.is_in_space()) {
-        return SpaceRequest{job.in_space().lattice, job.meshes.front(), job.tile.short_edges,
-                            job.n_wanted(),         job.has_weights(),  job.file_options.voxels};
+        return SpaceRequest{job.in_space().lattice, job.tile.short_edges, job.n_wanted(),
+                            job.has_weights(), job.file_options.voxels};
     }
     return RunRequest{.content = format_request(job),
-                      .meshes = job.meshes,
                       .has_metric = job.aspect.has_value(),
                       .has_materials = job.has_inclusions() || !job.materials.empty()};
 }
@@ -84,7 +83,7 @@ std::vector<JobFile> plan_files(const Job& job) {
     for (const std::string& output : job.outputs) {
         const std::string path = without_slash(output);
         try {
-            add_output(path, request, files);
+            add_output(path, request, job.meshes, files);
         } catch (const InvalidInput& error) {
             throw InvalidInput(std::string("-o ") + error.what());
         }

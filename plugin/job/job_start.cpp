@@ -45,8 +45,8 @@ RunOptions reporting_run(const Job& job, const ProgressCallback& callback) {
 }
 
 JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
-    const plane::CoarseStartOptions options{
-        .run = reporting_run(job, callback), .density = job.density, .walls = job.walls};
+    const plane::CoarseStartOptions options{.run = reporting_run(job, callback),
+                                            .density = job.density};
     JobStart start;
     start.precondition_below = plane::kPreconditionAfterCoarse;
     if (job.symmetry) {
@@ -55,7 +55,7 @@ JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
         start.cancelled = !start.symmetric;
         return start;
     }
-    start.points = coarse_start(job.in_plane().lattice, job.n_sites, job.seed, options);
+    start.points = coarse_start(job.in_plane().lattice, job.n_sites, job.seed, options, job.walls);
     start.cancelled = start.points.cols() == 0;
     return start;
 }

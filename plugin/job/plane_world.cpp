@@ -67,10 +67,9 @@ class PlaneContent {
         const Torus torus{.cells = cells,
                           .origin = job_.in_plane().origin,
                           .site_densities = computation_.site_densities,
-                          .coriolis = job_.file_options.coriolis,
                           .history = history()};
         try {
-            return write(torus, file.path());
+            return write(torus, job_.file_options, file.path());
         } catch (const UnsuitableCells& error) {
             throw UnsuitableCells("-o " + file.path() + ": " + error.what());
         } catch (const InvalidInput& error) {

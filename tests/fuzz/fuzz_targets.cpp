@@ -172,7 +172,7 @@ std::vector<std::string> grid_seeds() {
     const plane::PeriodicMesh cells = hexagonal_cells(3, 4);
     const Torus torus{cells, plane::Vec2::Zero(), {}};
     TorusWriter* write = std::get<TorusWriter*>(find_format("t.nc")->write);
-    return {write(torus, "t.nc").front().bytes};
+    return {write(torus, {}, "t.nc").front().bytes};
 }
 
 void read_voxels(const std::string& bytes) {

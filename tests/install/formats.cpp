@@ -22,7 +22,7 @@ void repeat_grid(const pcvt::Format& format, const plane::Lattice& lattice) {
     const auto result = plane::compute_cvt(lattice, points, {});
     const auto cells = plane::periodic_mesh(result.delaunay, plane::MeshKind::kVoronoi);
     const pcvt::Torus torus{cells, {0, 0}, {}};
-    const auto files = std::get<pcvt::TorusWriter*>(format.write)(torus, "grid");
+    const auto files = std::get<pcvt::TorusWriter*>(format.write)(torus, {}, "grid");
     const pcvt::MpasGrid back = std::get<pcvt::GridReader*>(format.read)(files);
     std::printf("%s: %d cells\n", std::string(format.extension).c_str(), back.n_cells);
 }

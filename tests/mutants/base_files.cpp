@@ -144,10 +144,9 @@ std::vector<BaseFile> grid_files(const Format& format) {
     const Torus torus{.cells = cells,
                       .origin = plane::Vec2::Zero(),
                       .site_densities = {},
-                      .coriolis = {{1e-4, 0.3}},
                       .history = "pcvt 0.0.0: mesh; seed 0"};
     return {{"grid", plane::MeshKind::kVoronoi,
-             std::get<TorusWriter*>(format.write)(torus, "tile.nc")}};
+             std::get<TorusWriter*>(format.write)(torus, {.coriolis = {{1e-4, 0.3}}}, "tile.nc")}};
 }
 
 /// Voxels of plain, power and elongated cells; the last lattice is a rectangle of two domains.

@@ -18,8 +18,6 @@ struct CoarseStartOptions {
     RunOptions run = {};
     /// `nullopt`: rho = 1. With a density, shakes are proportional to the local spacing.
     std::optional<Density> density = {};
-    /// The sides of the lattice, upright then, that are walls; the sites lie between them.
-    Walls walls = Walls::kNone;
 };
 
 /// The ratio of h to the distance between neighbours in a hexagonal arrangement.

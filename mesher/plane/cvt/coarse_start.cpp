@@ -115,16 +115,16 @@ Points shaken(Refined sites, std::uint64_t seed) {
 }
 
 /// Optimises the sites of a level and refines them.
-Refined optimised(const Lattice& lattice, Points points, CoarseLevels& levels,
+Refined optimised(const Lattice& lattice, Walls walls, Points points, CoarseLevels& levels,
                   const CoarseStartOptions& options) {
     const CvtOptions level = level_options(levels, options);
     const int n = levels.n_finer();
     Refined refined =
-        options.walls == Walls::kNone
+        walls == Walls::kNone
             ? with_midpoints(compute_cvt(lattice, std::move(points), level).delaunay, n)
-            : with_midpoints(compute_walled_cvt(lattice, options.walls, WallCells::kWhole,
-                                                std::move(points), level),
-                             n, levels.seed());
+            : with_midpoints(
+                  compute_walled_cvt(lattice, walls, WallCells::kWhole, std::move(points), level),
+                  n, levels.seed());
     if (!options.density) {
         refined.spacing.setConstant(std::sqrt(reduce(lattice).reduced.area() / n));
     }
@@ -134,17 +134,17 @@ Refined optimised(const Lattice& lattice, Points points, CoarseLevels& levels,
 }  // namespace
 
 Points coarse_start(const Lattice& lattice, int n, std::uint64_t seed,
-                    const CoarseStartOptions& options) {
+                    const CoarseStartOptions& options, Walls walls) {
     CoarseLevels levels(kLevelGrowth, {.n_orbits = n}, seed, options.run);
     const int n_coarsest = levels.n_coarsest();
     Points points = options.density ? graded_points(lattice, *options.density, n_coarsest, seed)
                                     : uniform_points(lattice, n_coarsest, seed);
     // Optimise each level, refine it and shake the sites of the next.
     while (levels.next()) {
-        Refined refined = optimised(lattice, std::move(points), levels, options);
+        Refined refined = optimised(lattice, walls, std::move(points), levels, options);
         if (levels.cancelled()) return {};
         points = shaken(std::move(refined), levels.seed());
-        fold_between_walls(lattice, options.walls, points);
+        fold_between_walls(lattice, walls, points);
     }
     return points;
 }

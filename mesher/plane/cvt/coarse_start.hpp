@@ -26,8 +26,10 @@ namespace pcvt::plane {
 /// image adds a site half way to the wall in place of its midpoint, which lies on the wall; so the
 /// number of sites quadruples there too.
 ///
+/// @param walls  the sides of the lattice, upright then, that are walls; the sites lie between
+/// them.
 /// @returns 2 x n, length units; no columns if the callback cancelled.
 Points coarse_start(const Lattice& lattice, int n, std::uint64_t seed,
-                    const CoarseStartOptions& options);
+                    const CoarseStartOptions& options, Walls walls = Walls::kNone);
 
 }  // namespace pcvt::plane

@@ -27,7 +27,7 @@ namespace pcvt::plane {
 /// at centres and on mirrors are there on all levels; centres stay, and sites on mirrors are shaken
 /// along them.
 ///
-/// @param options  without walls; a density is folded (folded_density.hpp).
+/// @param options  a density is folded (folded_density.hpp).
 /// @returns the sites of the plan, numbered by columns; `nullopt` if the callback cancelled.
 /// @throws as random_places does.
 std::optional<SymmetricSites> symmetric_coarse_start(const PlaneGroup& group, const OrbitPlan& plan,

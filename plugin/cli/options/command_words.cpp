@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "io/bytes/extension.hpp"
+#include "io/formats/extension.hpp"
 
 namespace pcvt::cli {
 namespace {

@@ -44,9 +44,7 @@ TEST(CoarseStart, ReturnsDistinctSitesBetweenWalls) {
     const Lattice lattice = Lattice::rectangle(3, 1);
     for (const Walls walls : kAllWalls) {
         for (const int n : {1, 2, 3, 16, 17, 63, 64, 65, 255, 1000}) {
-            CoarseStartOptions options;
-            options.walls = walls;
-            const Points points = coarse_start(lattice, n, 1, options);
+            const Points points = coarse_start(lattice, n, 1, {}, walls);
             ASSERT_EQ(points.cols(), n);
             EXPECT_LT(Sites(lattice, points).duplicates().first, 0);
             for (int axis = 0; axis < 2; ++axis) {
@@ -71,10 +69,8 @@ TEST(CoarseStart, LeadsToLowerMinimaBetweenWallsSlow) {
             double random = 0;
             double coarse = 0;
             for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-                CoarseStartOptions start;
-                start.walls = walls;
                 random += energy(uniform_points(lattice, 1000, seed));
-                coarse += energy(coarse_start(lattice, 1000, seed, start));
+                coarse += energy(coarse_start(lattice, 1000, seed, {}, walls));
             }
             EXPECT_LT(coarse, random * (1 - 1e-3)) << walls_row(walls).word;
         }
@@ -84,9 +80,7 @@ TEST(CoarseStart, LeadsToLowerMinimaBetweenWallsSlow) {
 TEST(CoarseStart, SitesNearWallsAreThoseOfTheNextFinerCells) {
     // The sites of the last level lie as densely beside a wall as elsewhere.
     const Lattice lattice = Lattice::rectangle(1, 1);
-    CoarseStartOptions options;
-    options.walls = Walls::kXY;
-    const Points points = coarse_start(lattice, 4000, 1, options);
+    const Points points = coarse_start(lattice, 4000, 1, {}, Walls::kXY);
     const double h = std::sqrt(1.0 / 4000);
     int n_beside = 0;
     for (Eigen::Index s = 0; s < points.cols(); ++s) n_beside += points(1, s) < 3 * h;
