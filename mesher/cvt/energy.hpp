@@ -5,7 +5,8 @@
 namespace pcvt {
 
 /// F, its gradient and the masses of the cells at given positions of the sites, in D dimensions; in
-/// the frame and the unit of a moving triangulation, sites in its order. Energy passes compute it.
+/// the frame and the unit of a moving triangulation, sites in its order. Energy passes
+/// and power cells compute it.
 ///
 ///   F(x)    = sum_i  integral over cell i of  rho(p) |p - x_i|^2
 ///   dF/dx_i = 2 m_i (x_i - g_i)

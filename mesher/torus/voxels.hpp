@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,30 @@ struct VoxelCounts {
     int z = 1;
 
     friend bool operator==(const VoxelCounts&, const VoxelCounts&) = default;
+};
+
+/// A periodic grid of voxels with edges along the axes of D dimensions: voxel (k, l, ...) is
+/// centred at corner + ((k + 1/2) size.x / counts.x, (l + 1/2) size.y / counts.y, ...), 0 <= k <
+/// counts.x.
+template <int D>
+struct VoxelGrid {
+    using Vec = Eigen::Matrix<double, D, 1>;
+
+    /// The corner with the least coordinates, length units.
+    Vec corner;
+    /// The periods along the axes, length units.
+    Vec size;
+    VoxelCounts counts;
+
+    /// The number of voxels; in the plane of one layer.
+    std::size_t n_voxels() const {
+        return static_cast<std::size_t>(counts.x) * counts.y * (D == 3 ? counts.z : 1);
+    }
+    /// The sides of a voxel.
+    Vec spacing() const {
+        const double n[] = {double(counts.x), double(counts.y), double(counts.z)};
+        return size.array() / Eigen::Map<const Vec>(n).array();
+    }
 };
 
 /// Solvers by Fourier transforms refuse a single voxel along x.

@@ -42,7 +42,7 @@ class AreaObjective final : public Objective {
         const auto [largest, rms] =
             residuals(cells_.gradient, cells_.mass, delaunay_.spacing(), workers_);
         // g(w): its error is quadratic in that of the areas, that of the energy is linear.
-        evaluation.value = cells_.energy + newton_.weights().dot(areas_ - cells_.mass);
+        evaluation.value = cells_.value + newton_.weights().dot(areas_ - cells_.mass);
         evaluation.gradient = cells_.gradient;
         evaluation.residual = largest;
         evaluation.rms_residual = rms;
@@ -86,7 +86,7 @@ class AreaObjective final : public Objective {
     EnergyPass pass_;
     Energy euclidean_;
     AreaNewton newton_;
-    PowerCells cells_;
+    Energy cells_;
     SizeFigures figures_;
 };
 

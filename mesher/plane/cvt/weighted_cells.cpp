@@ -62,12 +62,12 @@ std::vector<SiteId> hidden_sites(const Sites& sites, const Eigen::VectorXd& weig
 /// The energy and the residuals of the cells of a diagram.
 RunStatistics measured_run(const MovingDelaunay& delaunay, const PowerDiagram& diagram,
                            double tolerance, Workers& workers) {
-    PowerCells cells;
+    Energy cells;
     measure_cells(diagram.regular(), diagram.heights(), workers, cells);
     const auto [largest, rms] = residuals(cells.gradient, cells.mass, delaunay.spacing(), workers);
     return {.stop = largest <= tolerance ? Stop::kConverged : Stop::kIterationLimit,
             .evaluations = 1,
-            .energy = cells.energy * std::pow(delaunay.unit(), 4),
+            .energy = cells.value * std::pow(delaunay.unit(), 4),
             .residual = largest,
             .rms_residual = rms};
 }

@@ -146,7 +146,7 @@ void measure_masses(const WeightedTriangulation& regular, Workers& workers,
 }
 
 void measure_cells(const WeightedTriangulation& regular, const std::vector<double>& heights,
-                   Workers& workers, PowerCells& cells) {
+                   Workers& workers, Energy& cells) {
     const std::vector<int> outgoing = outgoing_halfedges(regular.triangulation);
     const int n = regular.triangulation.n_sites();
     cells.mass.resize(n);
@@ -168,8 +168,8 @@ void measure_cells(const WeightedTriangulation& regular, const std::vector<doubl
         cells.gradient.segment<2>(2 * Eigen::Index{s}) = -2 * first;
         energy[s] = second;
     });
-    cells.energy = 0;
-    for (const double part : energy) cells.energy += part;
+    cells.value = 0;
+    for (const double part : energy) cells.value += part;
 }
 
 void assemble_cell_graph(const WeightedTriangulation& regular, const std::vector<double>& heights,

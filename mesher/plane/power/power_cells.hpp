@@ -5,6 +5,7 @@
 
 #include "mesher/base/workers.hpp"
 #include "mesher/cells/cell_graph.hpp"
+#include "mesher/cvt/energy.hpp"
 #include "mesher/plane/delaunay/torus_triangulation.hpp"
 #include "mesher/plane/geometry/reduced_frame.hpp"
 
@@ -19,16 +20,6 @@ struct WeightedTriangulation {
     ReducedFrame frame;
     /// unit^2
     const Eigen::VectorXd& weights;
-};
-
-/// Integrals over the power cells for rho = 1, in the frame and the unit of the triangulation.
-struct PowerCells {
-    /// The sum over i of the integral of |p - x_i|^2 over cell i, unit^4.
-    double energy = 0;
-    /// 2 m_i (x_i - g_i) (x, y, x, y, ...), unit^3.
-    Eigen::VectorXd gradient;
-    /// Areas of the cells, unit^2.
-    Eigen::VectorXd mass;
 };
 
 /// Computes the height of each halfedge's orthocentre above it, over its length, and the areas of
@@ -56,7 +47,7 @@ struct PowerCells {
 ///     std::vector<double> heights;
 ///     Eigen::VectorXd mass;
 ///     measure_masses(regular, workers, heights, mass);
-///     PowerCells cells;
+///     Energy cells;
 ///     measure_cells(regular, heights, workers, cells);
 ///     const Vec2 to_centroid = -cells.gradient.segment<2>(2 * i) / (2 * cells.mass[i]);
 ///
@@ -71,10 +62,10 @@ struct PowerCells {
 void measure_masses(const WeightedTriangulation& regular, Workers& workers,
                     std::vector<double>& heights, Eigen::VectorXd& mass);
 
-/// Computes energy, gradient and areas, cell by cell.
+/// Computes energy, gradient and areas of the power cells for rho = 1, cell by cell.
 /// @param heights  of measure_masses.
 void measure_cells(const WeightedTriangulation& regular, const std::vector<double>& heights,
-                   Workers& workers, PowerCells& cells);
+                   Workers& workers, Energy& cells);
 
 /// Computes the adjacency of the cells.
 /// @param heights  of measure_masses.

@@ -10,20 +10,7 @@ using pcvt::kMostVoxels;
 using pcvt::kMostVoxelsOfARow;
 using pcvt::VoxelCounts;
 
-/// A periodic grid of rectangular voxels: voxel (k, l) is centred at
-/// corner + ((k + 1/2) size.x / counts.x, (l + 1/2) size.y / counts.y), 0 <= k < counts.x.
-struct VoxelGrid {
-    /// The lower left corner, length units.
-    Vec2 corner;
-    /// The periods along x and y, length units.
-    Vec2 size;
-    VoxelCounts counts;
-
-    /// The number of voxels of one layer.
-    std::size_t n_voxels() const { return static_cast<std::size_t>(counts.x) * counts.y; }
-    /// The sides of a voxel.
-    Vec2 spacing() const { return {size.x() / counts.x, size.y() / counts.y}; }
-};
+using VoxelGrid = pcvt::VoxelGrid<2>;
 
 /// The counts with about 16 voxels along h = sqrt(area / n), even in both directions.
 /// @param n_cells  cells in the domain of `lattice`.

@@ -7,7 +7,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/plane/proof/validate.hpp"
-#include "mesher/plane/voxels/site_tree.hpp"
+#include "mesher/torus/site_tree.hpp"
 
 namespace pcvt::plane {
 namespace {
@@ -58,12 +58,12 @@ VoxelProof prove_voxels(const VoxelImage& image, const VoxelCells& cells) {
         const std::size_t row = k / width;
         const Vec2 step(double(k % width) + 0.5, double(row) + 0.5);
         const Vec2 p = cells.metric.to_round(Vec2(grid.corner + step.cwiseProduct(spacing)));
-        const NearestImage nearest = tree.nearest(p);
+        const auto nearest = tree.nearest(p);
         if (nearest.site == image.site[k]) continue;
-        const NearestImage named = tree.nearest_of(image.site[k], p);
+        const auto named = tree.nearest_of(image.site[k], p);
         // gap / apart is the distance of the centre from the line of equal power distance. Rounding
         // of the sites moves that line farther than the sites where these are close to each other.
-        const double gap = (named.power_distance - nearest.power_distance) / 2;
+        const double gap = (named.power_distance() - nearest.power_distance()) / 2;
         const double apart = (named.from_point - nearest.from_point).norm();
         const double reach = named.from_point.norm() + nearest.from_point.norm();
         if (!(gap <= kVoxelTolerance * h * apart + rounding * reach)) {

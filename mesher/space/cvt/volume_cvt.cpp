@@ -101,7 +101,7 @@ class VolumeRun {
     EnergyPass pass_;
     Energy euclidean_;
     VolumeNewton newton_;
-    PowerCells cells_;
+    Energy cells_;
     SizeFigures figures_;
     double largest_error_ = 0;
 };
@@ -124,7 +124,7 @@ RunStatistics VolumeRun::measure(const Eigen::VectorXd& targets, int step, doubl
                                         : (at_rest ? Stop::kConverged : Stop::kIterationLimit),
             .iterations = step,
             .evaluations = step + 1,
-            .energy = cells_.energy * std::pow(moving_.unit(), 5),
+            .energy = cells_.value * std::pow(moving_.unit(), 5),
             .residual = largest,
             .rms_residual = rms};
 }

@@ -84,13 +84,13 @@ WeightedCells weighted_cells(const Lattice& lattice, const Points& points,
     if (!diagram.set_weights(ordered_weights(moving, weights))) {
         throw EmptyCells(hidden_sites(sites, weights, workers));
     }
-    PowerCells cells;
+    Energy cells;
     measure_cells(diagram.regular(), workers, cells);
     const auto [largest, rms] = residuals(cells.gradient, cells.mass, moving.spacing(), workers);
     const RunStatistics measured{
         .stop = largest <= run.tolerance ? Stop::kConverged : Stop::kIterationLimit,
         .evaluations = 1,
-        .energy = cells.energy * std::pow(moving.unit(), 5),
+        .energy = cells.value * std::pow(moving.unit(), 5),
         .residual = largest,
         .rms_residual = rms};
     Eigen::VectorXd volumes(weights.size());

@@ -211,12 +211,12 @@ bool correct_volumes(ExchangedTetrahedra exchanged, const WeightedTetrahedra& we
            add_volumes(exchanged.added, 1, weighted, volumes);
 }
 
-void measure_cells(const WeightedTetrahedra& regular, Workers& workers, PowerCells& cells) {
+void measure_cells(const WeightedTetrahedra& regular, Workers& workers, Energy& cells) {
     auto slabs = slabs_for<MomentSlab>(regular);
     workers.for_each(static_cast<int>(slabs.size()), [&](int k) { run_slab(regular, slabs[k]); });
     const int n_sites = regular.tetrahedra.n_sites();
-    cells.energy = 0;
-    for (const MomentSlab& slab : slabs) cells.energy += slab.energy;
+    cells.value = 0;
+    for (const MomentSlab& slab : slabs) cells.value += slab.energy;
     cells.gradient.setZero(kNumbersOfGradient * Eigen::Index{n_sites});
     cells.mass.resize(n_sites);
     add_up_slabs<CellMoments>(slabs, n_sites, workers, [&](int first, int n, const auto& total) {

@@ -5,6 +5,7 @@
 
 #include "mesher/base/workers.hpp"
 #include "mesher/cells/cell_graph.hpp"
+#include "mesher/cvt/energy.hpp"
 #include "mesher/space/delaunay/frame.hpp"
 #include "mesher/space/delaunay/tetrahedra_flips.hpp"
 #include "mesher/space/energy/facet_heights.hpp"
@@ -20,16 +21,6 @@ struct WeightedTetrahedra {
     Frame frame;
     /// unit^2
     const Eigen::VectorXd& weights;
-};
-
-/// Integrals over the power cells for rho = 1, in the frame and the unit of the triangulation.
-struct PowerCells {
-    /// The sum over i of the integral of |p - x_i|^2 over cell i, unit^5.
-    double energy = 0;
-    /// 2 V_i (x_i - g_i), four numbers a site as in Energy, unit^4.
-    Eigen::VectorXd gradient;
-    /// Volumes of the cells, unit^3.
-    Eigen::VectorXd mass;
 };
 
 /// Computes the volumes of the cells of sites with weights w_i, the sets where |p - x_i|^2 - w_i is
@@ -62,7 +53,7 @@ struct PowerCells {
 ///     VolumeSums sums;
 ///     Eigen::VectorXd volumes;
 ///     const std::vector<int> suspects = sums.run(weighted, workers, volumes);
-///     PowerCells cells;
+///     Energy cells;
 ///     measure_cells(weighted, workers, cells);
 ///     const Vec3 to_centroid = -cells.gradient.segment<3>(4 * i) / (2 * cells.mass[i]);
 ///
@@ -98,8 +89,8 @@ class VolumeSums {
 bool correct_volumes(ExchangedTetrahedra exchanged, const WeightedTetrahedra& weighted,
                      Eigen::VectorXd& volumes);
 
-/// Computes energy, gradient and volumes.
-void measure_cells(const WeightedTetrahedra& regular, Workers& workers, PowerCells& cells);
+/// Computes energy, gradient and volumes of the power cells for rho = 1.
+void measure_cells(const WeightedTetrahedra& regular, Workers& workers, Energy& cells);
 
 /// Computes the adjacency of the cells; each neighbour of a cell occurs once.
 CellGraph cell_graph(const WeightedTetrahedra& regular);

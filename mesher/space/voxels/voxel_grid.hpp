@@ -7,21 +7,7 @@
 
 namespace pcvt::space {
 
-/// A periodic grid of voxels with edges along x, y and z: voxel (k, l, m) is centred at
-/// corner + ((k + 1/2) size.x / counts.x, and so on along y and z), 0 <= k < counts.x.
-struct VoxelGrid {
-    /// The corner with the least coordinates, length units.
-    Vec3 corner;
-    /// The periods along x, y and z, length units.
-    Vec3 size;
-    VoxelCounts counts;
-
-    std::size_t n_voxels() const {
-        return static_cast<std::size_t>(counts.x) * counts.y * counts.z;
-    }
-    /// The sides of a voxel.
-    Vec3 spacing() const { return {size.x() / counts.x, size.y() / counts.y, size.z() / counts.z}; }
-};
+using VoxelGrid = pcvt::VoxelGrid<3>;
 
 /// The counts with about 16 voxels along h = cbrt(volume / n), even along all axes, or fewer where
 /// these would be more than kMostVoxels.

@@ -8,7 +8,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
-#include "mesher/space/voxels/site_tree.hpp"
+#include "mesher/torus/site_tree.hpp"
 
 namespace pcvt::space {
 namespace {
@@ -79,7 +79,7 @@ class BlockProof {
             middle[d] = (begin[d] + end[d]) / 2.0 * spacing_[d];
             half[d] = (end[d] - begin[d] - 1) / 2.0 * spacing_[d];
         }
-        const std::vector<NearestImage> images =
+        const std::vector<NearestImage<3>> images =
             tree_.nearest_in_box(image_.grid.corner + middle, half);
         for (int m = begin[2]; m < end[2]; ++m) {
             for (int l = begin[1]; l < end[1]; ++l) {
@@ -95,19 +95,19 @@ class BlockProof {
 
     /// @param from_middle  the centre of the voxel as seen from the middle of its block.
     void prove_voxel(std::size_t voxel, const Vec3& middle, const Vec3& from_middle,
-                     const std::vector<NearestImage>& images) {
-        const auto from_centre = [&](NearestImage image) {
+                     const std::vector<NearestImage<3>>& images) {
+        const auto from_centre = [&](NearestImage<3> image) {
             image.from_point -= from_middle;
             return image;
         };
-        NearestImage nearest = from_centre(images.front());
-        for (const NearestImage& image : images) {
-            const NearestImage other = from_centre(image);
+        NearestImage<3> nearest = from_centre(images.front());
+        for (const NearestImage<3>& image : images) {
+            const NearestImage<3> other = from_centre(image);
             if (other.power_distance() < nearest.power_distance()) nearest = other;
         }
         const SiteId name = image_.site[voxel];
         if (nearest.site == name) return;
-        const NearestImage named =
+        const NearestImage<3> named =
             tree_.nearest_of(name, image_.grid.corner + middle + from_middle);
         // gap / apart is the distance of the centre from the plane of equal power distance.
         // Rounding of the sites moves that plane farther than the sites where these are close.
@@ -124,7 +124,7 @@ class BlockProof {
     const VoxelImage& image_;
     std::array<int, 3> counts_;
     Vec3 spacing_;
-    SiteTree tree_;
+    SiteTree<Lattice> tree_;
     double h_;
     /// The rounding of a position.
     double rounding_;

@@ -60,8 +60,8 @@ std::vector<double> orthocentre_heights(const WeightedTriangulation& regular, Wo
     return heights;
 }
 
-PowerCells measured(const Diagram& diagram, Workers& workers) {
-    PowerCells cells;
+Energy measured(const Diagram& diagram, Workers& workers) {
+    Energy cells;
     measure_cells(diagram.weighted(), orthocentre_heights(diagram.weighted(), workers), workers,
                   cells);
     return cells;
@@ -70,7 +70,7 @@ PowerCells measured(const Diagram& diagram, Workers& workers) {
 /// Law 1, to within `tolerance` times the moment of a disc of the radius of the longest period.
 void expect_polygons(const Diagram& diagram, double tolerance) {
     Workers workers(1);
-    const PowerCells cells = measured(diagram, workers);
+    const Energy cells = measured(diagram, workers);
     const std::vector<Polygon> polygons = diagram.polygons();
     const double unit = diagram.delaunay.unit();
     const double rotation = std::atan2(diagram.sites.reduction().reduced.a().y(),
@@ -86,7 +86,7 @@ void expect_polygons(const Diagram& diagram, double tolerance) {
         ASSERT_LT((cells.gradient.segment<2>(2 * s) - gradient).norm(),
                   tolerance * std::pow(size, 3));
     }
-    ASSERT_NEAR(cells.energy, energy, tolerance * std::pow(size, 4));
+    ASSERT_NEAR(cells.value, energy, tolerance * std::pow(size, 4));
     // Law 2.
     ASSERT_NEAR(cells.mass.sum(), diagram.delaunay.frame().ax * diagram.delaunay.frame().by,
                 tolerance * size * size);
@@ -129,11 +129,11 @@ TEST(PowerCells, WithoutWeightsTheyAreThoseOfTheEnergy) {
     for (const auto& [name, lattice] : lattices()) {
         const Diagram diagram(Sites(lattice, uniform_points(lattice, 300, 5)),
                               Eigen::VectorXd::Zero(300));
-        const PowerCells cells = measured(diagram, workers);
+        const Energy cells = measured(diagram, workers);
         MovingDelaunay delaunay(diagram.sites);
         Energy energy;
         ASSERT_TRUE(EnergyPass(delaunay, workers).evaluate(energy));
-        EXPECT_NEAR(cells.energy, energy.value, 1e-12 * energy.value) << name;
+        EXPECT_NEAR(cells.value, energy.value, 1e-12 * energy.value) << name;
         EXPECT_LT((cells.mass - energy.mass).norm(), 1e-11 * energy.mass.norm()) << name;
         EXPECT_LT((cells.gradient - energy.gradient).norm(), 1e-11 * energy.gradient.norm());
     }
@@ -176,9 +176,9 @@ TEST(PowerCells, EveryBitIsTheSameForAnyNumberOfWorkers) {
     const Diagram diagram(Sites(unit, uniform_points(unit, n, 1)), weights_of_size(n, 0, random));
     Workers one(1);
     Workers three(3);
-    const PowerCells first = measured(diagram, one);
-    const PowerCells second = measured(diagram, three);
-    EXPECT_EQ(first.energy, second.energy);
+    const Energy first = measured(diagram, one);
+    const Energy second = measured(diagram, three);
+    EXPECT_EQ(first.value, second.value);
     EXPECT_EQ(first.mass, second.mass);
     EXPECT_EQ(first.gradient, second.gradient);
 }

@@ -1,4 +1,4 @@
-#include "mesher/plane/voxels/site_tree.hpp"
+#include "mesher/torus/site_tree.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,11 +30,11 @@ TEST(SiteTree, Law1NoImageIsNearer) {
         for (SiteId s = 0; s < n; ++s) {
             const double weight = weights.size() > 0 ? weights[s] : 0;
             const double distance = testing::squared_distance(sites, s, p) - weight;
-            EXPECT_NEAR(tree.nearest_of(s, p).power_distance, distance, 1e-9 * lattice.area());
+            EXPECT_NEAR(tree.nearest_of(s, p).power_distance(), distance, 1e-9 * lattice.area());
             least = std::min(least, distance);
         }
-        const NearestImage found = tree.nearest(p);
-        EXPECT_NEAR(found.power_distance, least, 1e-9 * lattice.area());
+        const auto found = tree.nearest(p);
+        EXPECT_NEAR(found.power_distance(), least, 1e-9 * lattice.area());
         EXPECT_NEAR(found.from_point.squaredNorm(), testing::squared_distance(sites, found.site, p),
                     1e-9 * lattice.area());
     }

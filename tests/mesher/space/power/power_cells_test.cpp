@@ -53,7 +53,7 @@ struct Diagram {
 /// Law 1, relative to a period and to the domain.
 void expect_polyhedra(const Diagram& d, const Eigen::VectorXd& weights, double tolerance) {
     Workers workers(1);
-    PowerCells cells;
+    Energy cells;
     measure_cells(d.diagram.regular(), workers, cells);
     const testing::BruteForceEnergy expected = testing::brute_force_energy(d.sites, weights);
     const double unit = d.moving.unit();
@@ -66,7 +66,7 @@ void expect_polyhedra(const Diagram& d, const Eigen::VectorXd& weights, double t
         const Vec3 gradient = std::pow(unit, 3) * (d.rotation() * cells.gradient.segment<3>(4 * s));
         ASSERT_LT((gradient - expected.gradient[id]).norm(), tolerance * volume * length);
     }
-    ASSERT_NEAR(cells.energy * std::pow(unit, 5), expected.value,
+    ASSERT_NEAR(cells.value * std::pow(unit, 5), expected.value,
                 tolerance * volume * length * length);
     // Law 2.
     ASSERT_NEAR(cells.mass.sum(), d.moving.frame().volume(), 1e-12 * d.moving.frame().volume());
@@ -96,12 +96,12 @@ TEST(SpacePowerCells, WithoutWeightsAreThoseOfTheEnergy) {
         SCOPED_TRACE(name);
         Diagram d(sites, Eigen::VectorXd::Zero(sites.n_sites()));
         ASSERT_TRUE(d.visible);
-        PowerCells cells;
+        Energy cells;
         measure_cells(d.diagram.regular(), d.workers, cells);
         MovingTetrahedra moving(sites);
         Energy energy;
         ASSERT_TRUE(EnergyPass(moving, d.workers).evaluate(energy));
-        EXPECT_NEAR(cells.energy, energy.value, 1e-11 * energy.value);
+        EXPECT_NEAR(cells.value, energy.value, 1e-11 * energy.value);
         EXPECT_LT((cells.mass - energy.mass).norm(), 1e-10 * energy.mass.norm());
         EXPECT_LT((cells.gradient - energy.gradient).norm(),
                   1e-10 * energy.mass.norm() * moving.frame().cz * sites.n_sites());
@@ -155,11 +155,11 @@ TEST(SpacePowerCells, SlowEveryBitIsTheSameForAnyNumberOfWorkers) {
     ASSERT_TRUE(d.visible);
     Workers one(1);
     Workers three(3);
-    PowerCells first;
-    PowerCells second;
+    Energy first;
+    Energy second;
     measure_cells(d.diagram.regular(), one, first);
     measure_cells(d.diagram.regular(), three, second);
-    EXPECT_EQ(first.energy, second.energy);
+    EXPECT_EQ(first.value, second.value);
     EXPECT_EQ(first.gradient, second.gradient);
     EXPECT_EQ(first.mass, second.mass);
 }

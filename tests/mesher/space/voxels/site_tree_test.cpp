@@ -1,4 +1,4 @@
-#include "mesher/space/voxels/site_tree.hpp"
+#include "mesher/torus/site_tree.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,14 +28,14 @@ double least_of(const Sites& sites, SiteId site, double weight, const Vec3& p) {
 struct Case {
     Sites sites;
     Eigen::VectorXd weights;
-    SiteTree tree;
+    SiteTree<Lattice> tree;
 };
 
 Case drawn(const Lattice& lattice, int n, double largest_weight) {
     const Points points = uniform_points(lattice, n, n);
     Eigen::VectorXd weights(n);
     for (int s = 0; s < n; ++s) weights[s] = largest_weight * ((s * 7) % 5) / 5.0;
-    return {Sites(lattice, points), weights, SiteTree(lattice, points, weights)};
+    return {Sites(lattice, points), weights, SiteTree<Lattice>(lattice, points, weights)};
 }
 
 TEST(SiteTreeInSpace, Law1NoImageIsNearer) {
@@ -80,7 +80,7 @@ TEST(SiteTreeInSpace, Law2ABoxHasTheNearestImageOfEachOfItsPoints) {
                     const Vec3 from_p =
                         half.cwiseProduct(Vec3(uniform(random), uniform(random), uniform(random)));
                     double least = std::numeric_limits<double>::infinity();
-                    for (const NearestImage& image : images) {
+                    for (const NearestImage<3>& image : images) {
                         least = std::min(least,
                                          (image.from_point - from_p).squaredNorm() - image.weight);
                     }
