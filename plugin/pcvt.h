@@ -238,8 +238,9 @@ typedef struct pcvt_options {
     int32_t n_areas;     /**< n_sites, or 0 where `areas` is NULL [0] */
     int32_t reserved;
     const char* area_law; /**< "equal", or "lognormal:S" or "gamma:S", drawn from `seed`, with S the
-                             standard deviation over the mean of the equivalent diameters; excludes
-                             `areas` [NULL] */
+                             standard deviation over the mean of the equivalent diameters, or a
+                             mixture "SHARE*LAW@MEAN+SHARE*LAW@MEAN", the share of the cells and
+                             their mean diameter in any unit; excludes `areas` [NULL] */
     double aspect; /**< the length of the cells along aspect_degrees over their width, 0.01 to
                       100 [1] */
     double aspect_degrees; /**< from x [0] */
@@ -301,8 +302,8 @@ typedef struct pcvt_options {
 
     const double* volumes;  /**< in three dimensions: n_volumes volumes of the cells in any unit,
                                scaled to the volume of the domain, one a site; NULL: none */
-    const char* volume_law; /**< in three dimensions: "equal", "lognormal:S" or "gamma:S", as
-                               area_law, in place of `volumes`; NULL: none */
+    const char* volume_law; /**< in three dimensions: "equal", "lognormal:S", "gamma:S" or a
+                               mixture, as area_law, in place of `volumes`; NULL: none */
     int32_t n_volumes;      /**< n_sites, or 0 where `volumes` is NULL [0] */
     int32_t reserved6;
 } pcvt_options;

@@ -1,11 +1,12 @@
 #include "mesher/cells/target_areas.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <string_view>
+#include <vector>
 
 #include "mesher/base/error.hpp"
 #include "mesher/portable/decimal_text.hpp"
@@ -13,16 +14,6 @@
 
 namespace pcvt {
 namespace {
-
-struct LawRow {
-    AreaLaw::Kind kind;
-    std::string_view word;
-    bool has_spread;
-};
-
-constexpr std::array kLaws{LawRow{AreaLaw::Kind::kEqual, "equal", false},
-                           LawRow{AreaLaw::Kind::kLognormal, "lognormal", true},
-                           LawRow{AreaLaw::Kind::kGamma, "gamma", true}};
 
 /// Separates the numbers from those that uniform_points draws from the same seed.
 constexpr std::uint64_t kSeedOfAreas = 0x9e3779b97f4a7c15;
@@ -60,18 +51,59 @@ class RandomNumbers {
     std::mt19937_64 generator_;
 };
 
-/// A diameter of the law, in any unit.
-double draw_diameter(const AreaLaw& law, RandomNumbers& random) {
+double lognormal_sigma(double spread) { return std::sqrt(portable_log(1 + spread * spread)); }
+
+/// A diameter of the law, in a unit of its own.
+double draw_diameter(const LawComponent& law, RandomNumbers& random) {
     switch (law.kind) {
-        case AreaLaw::Kind::kLognormal: {
-            const double sigma = std::sqrt(portable_log(1 + law.spread * law.spread));
-            return portable_exp(sigma * random.normal());
-        }
-        case AreaLaw::Kind::kGamma:
+        case LawComponent::Kind::kLognormal:
+            return portable_exp(lognormal_sigma(law.spread) * random.normal());
+        case LawComponent::Kind::kGamma:
             return random.gamma(1 / (law.spread * law.spread));
         default:
             return 1;
     }
+}
+
+/// The mean of draw_diameter().
+double mean_diameter(const LawComponent& law) {
+    switch (law.kind) {
+        case LawComponent::Kind::kLognormal:
+            return std::sqrt(1 + law.spread * law.spread);
+        case LawComponent::Kind::kGamma:
+            return 1 / (law.spread * law.spread);
+        default:
+            return 1;
+    }
+}
+
+/// How many of n cells have each law: the whole parts of the shares of n, and one more where the
+/// rest is largest.
+std::vector<int> numbers_of_cells(const AreaLaw& law, int n) {
+    std::vector<int> numbers;
+    std::vector<double> rests;
+    int n_left = n;
+    for (const LawComponent& component : law.components) {
+        const double exact = component.share * n;
+        numbers.push_back(std::min(n_left, static_cast<int>(exact)));
+        rests.push_back(exact - numbers.back());
+        n_left -= numbers.back();
+    }
+    for (; n_left > 0; --n_left) {
+        const auto largest = std::max_element(rests.begin(), rests.end());
+        ++numbers[static_cast<std::size_t>(largest - rests.begin())];
+        *largest = -1;
+    }
+    return numbers;
+}
+
+/// Draws the law of one cell, so that every order of the laws is as likely, and takes the cell off.
+std::size_t draw_law(std::vector<int>& numbers, int n_left, RandomNumbers& random) {
+    int k = static_cast<int>(random.uniform() * n_left);
+    std::size_t law = 0;
+    while (k >= numbers[law]) k -= numbers[law++];
+    --numbers[law];
+    return law;
 }
 
 std::string three_digits(double x) {
@@ -111,45 +143,19 @@ Eigen::VectorXd scaled_sizes(const Eigen::VectorXd& sizes, int n_sites, double t
 Eigen::VectorXd draw_diameters(const AreaLaw& law, int n, std::uint64_t seed) {
     RandomNumbers random(seed);
     Eigen::VectorXd diameters(n);
-    for (double& d : diameters) d = draw_diameter(law, random);
+    if (law.components.size() == 1) {
+        for (double& d : diameters) d = draw_diameter(law.components[0], random);
+        return diameters;
+    }
+    std::vector<int> numbers = numbers_of_cells(law, n);
+    for (int s = 0; s < n; ++s) {
+        const LawComponent& own = law.components[draw_law(numbers, n - s, random)];
+        diameters[s] = draw_diameter(own, random) * (own.mean / mean_diameter(own));
+    }
     return diameters;
 }
 
-const LawRow* find_row(std::string_view text) {
-    const std::string_view word = text.substr(0, text.find(':'));
-    for (const LawRow& row : kLaws) {
-        if (row.word == word) return &row;
-    }
-    return nullptr;
-}
-
 }  // namespace
-
-bool names_area_law(const std::string& text) { return find_row(text) != nullptr; }
-
-AreaLaw parse_area_law(const std::string& text) {
-    const LawRow* const row = find_row(text);
-    if (row == nullptr) {
-        throw InvalidInput("'" + text +
-                           "' is not a law of areas; choose equal, lognormal:S or gamma:S");
-    }
-    AreaLaw law{.kind = row->kind};
-    const std::size_t colon = text.find(':');
-    if (!row->has_spread) {
-        if (colon == std::string::npos) return law;
-        throw InvalidInput("'" + text + "': equal areas have no spread; write 'equal'");
-    }
-    const char* const end = text.data() + text.size();
-    const char* const begin = colon == std::string::npos ? end : text.data() + colon + 1;
-    const auto [stop, error] = read_decimal(begin, end, law.spread);
-    if (error == std::errc{} && stop == end && law.spread > 0 && law.spread <= kMostSpread) {
-        return law;
-    }
-    throw InvalidInput("'" + text + "': write '" + std::string(row->word) +
-                       ":S', where S, the standard deviation of the diameters over their mean, is "
-                       "above 0 and at most " +
-                       three_digits(kMostSpread));
-}
 
 Eigen::VectorXd draw_areas(const AreaLaw& law, int n, std::uint64_t seed) {
     return areas_of_diameters(draw_diameters(law, n, seed));

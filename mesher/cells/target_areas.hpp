@@ -5,40 +5,19 @@
 #include <optional>
 #include <string>
 
+#include "mesher/cells/area_law.hpp"
+
 namespace pcvt {
-
-/// The distribution of the equivalent diameters of cells, 2 sqrt(area / pi) or (6 volume /
-/// pi)^(1/3).
-struct AreaLaw {
-    enum class Kind { kEqual, kLognormal, kGamma };
-    Kind kind = Kind::kEqual;
-    /// Standard deviation over mean of the equivalent diameter; not used for kEqual.
-    double spread = 0;
-
-    friend bool operator==(const AreaLaw&, const AreaLaw&) = default;
-};
 
 /// An area below this share of the mean is refused: rounding would exceed the tolerance of its
 /// error.
 inline constexpr double kLeastArea = 1e-6;
-/// The largest spread of a law.
-inline constexpr double kMostSpread = 2;
-
-/// Whether the text names a law, that is begins with the word of one, rather than a file.
-bool names_area_law(const std::string& text);
-
-/// Reads `equal`, `lognormal:S` or `gamma:S`.
-///
-/// Example usage:
-///
-///     const AreaLaw law = parse_area_law("lognormal:0.42");
-///     const Eigen::VectorXd areas = scaled_areas(draw_areas(law, n, seed), n, lattice.area());
-///
-/// @throws InvalidInput for another text, or unless 0 < S <= kMostSpread.
-AreaLaw parse_area_law(const std::string& text);
 
 /// Draws n areas, in any unit. The same seed gives the same bits on every machine, independent of
 /// the points that uniform_points draws from the same seed.
+///
+/// Of a mixture, the numbers of cells with each law are the shares of n, rounded so that they sum
+/// to n; the seed decides which cells have which law.
 Eigen::VectorXd draw_areas(const AreaLaw& law, int n, std::uint64_t seed);
 
 /// The same for volumes: the equivalent diameters have the law.

@@ -57,10 +57,11 @@ TargetSizes target_sizes(const std::string& option, const std::string& text) {
     std::error_code unknown;
     const TableName table = in_space ? volume_table(text) : area_table(text);
     if (text.empty() || !std::filesystem::exists(table.path, unknown)) {
-        throw InvalidInput(option + " " + (text.empty() ? "''" : text) +
-                           ": neither a law nor a file; take equal, lognormal:S, gamma:S or a file "
-                           "with one " +
-                           word + " a line");
+        throw InvalidInput(
+            option + " " + (text.empty() ? "''" : text) +
+            ": neither a law nor a file; take equal, lognormal:S, gamma:S, a mixture "
+            "SHARE*LAW@MEAN+... or a file with one " +
+            word + " a line");
     }
     return {.name = text};
 }
@@ -92,17 +93,19 @@ void add_cell_options(CLI::App& app, CellOptions& options, Job& job) {
             formula_words());
     add("--density-range", options.density_range, "LO,HI",
         "densities of black and of white pixels [0.01,1]");
-    add("--areas", options.areas, "equal|lognormal:S|gamma:S|FILE[:COLUMN]",
+    add("--areas", options.areas, "equal|lognormal:S|gamma:S|MIXTURE|FILE[:COLUMN]",
         "cells of prescribed areas, exact to 1e-10: a law of the equivalent\n"
         "diameter, drawn from --seed, S its standard deviation over its\n"
-        "mean; or a table with one area a line, one for each site, or one\n"
+        "mean, or a mixture of laws, such as\n"
+        "'0.7*lognormal:0.3@1+0.3*gamma:0.2@3', share of the cells * law @ mean\n"
+        "diameter; or a table with one area a line, one for each site, or one\n"
         "diameter or radius as its header or diameter:FILE says, scaled to\n"
         "the area of the domain, which with --period auto is their sum; see\n"
         "--max-iterations");
-    add("--volumes", options.volumes, "equal|lognormal:S|gamma:S|FILE[:COLUMN]",
+    add("--volumes", options.volumes, "equal|lognormal:S|gamma:S|MIXTURE|FILE[:COLUMN]",
         "in space, cells of prescribed volumes, as --areas: a law of the\n"
-        "equivalent diameter, whose largest volumes begin at the largest cells,\n"
-        "or a table of volumes, diameters or radii; --max-iterations K steps\n"
+        "equivalent diameter or a mixture, whose largest volumes begin at the\n"
+        "largest cells, or a table of volumes, diameters or radii; --max-iterations K steps\n"
         "make the grains round [5]");
     add("--weights", options.weights, "FILE[:COLUMN]",
         "the power cells (Laguerre cells) of the sites of --input: one weight a\n"

@@ -37,7 +37,7 @@ struct TargetSizes {
     /// The law or the file, for the report.
     std::string name;
 
-    bool is_drawn() const { return given.size() == 0 && law.kind != AreaLaw::Kind::kEqual; }
+    bool is_drawn() const { return given.size() == 0 && law.is_random(); }
 };
 
 /// Weights of given sites, whose cells are power cells.

@@ -146,7 +146,8 @@ def density_theme(job):
 
 def area_theme(job):
     any_sites(job)
-    law = job.pick(("equal", "lognormal:0.4", "gamma:0.5", "areas.txt", "areas.txt"), ("lognormal:9", "gamma:-1", "normal"))
+    law = job.pick(("equal", "lognormal:0.4", "gamma:0.5", "areas.txt", "areas.txt",
+                    "0.7*lognormal:0.3@1+0.3*equal@2"), ("lognormal:9", "gamma:-1", "normal", "0.7*equal@1+0.2*equal@2"))
     if law == "areas.txt":
         job.input(law, area_text(job.draw, job.n_sites, not job.is_sound))
     job.add("--areas", law, "--max-iterations", job.draw.choice((0, 1, 5)))
@@ -316,7 +317,7 @@ def plane_options(job):
 def space_volumes(job):
     """Cells of prescribed volumes, which have a solver of their own, and files that state weights."""
     draw = job.draw
-    law = draw.choice(("equal", "lognormal:0.2", "lognormal:0.5", "gamma:0.4", None))
+    law = draw.choice(("equal", "lognormal:0.2", "lognormal:0.5", "gamma:0.4", "0.7*gamma:0.3@1+0.3*equal@2", None))
     if law is None:
         law = job.input("volumes.txt", area_text(draw, job.n_sites, not job.is_sound))
     job.add("--sites", job.n_sites, "--seed", draw.randrange(1000))

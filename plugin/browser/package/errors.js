@@ -22,7 +22,7 @@ export function cancels(answer) {
 const concerns = [
     [/^character \d+: |^the density /, 'density'],
     [/^the period vectors |^the lattice /, 'lattice'],
-    [/law of areas|^areas? |^the areas /, 'areas'],
+    [/laws? of sizes|^areas? |^the areas /, 'areas'],
     [/^the symmetry /, 'symmetry'],
     [/^the area fraction |fibre/, 'fibres'],
 ];

@@ -35,7 +35,7 @@ export interface MeshOptions {
     lattice?: ArrayLike<number>;
     origin?: ArrayLike<number> | 'auto';
     density?: string;
-    /** A law such as 'lognormal:0.3', one area a site, or the name of a table, "grains.csv" or "diameter:grains.csv:ECD". */
+    /** A law such as 'lognormal:0.3', a mixture such as '0.7*lognormal:0.3@1+0.3*gamma:0.2@3', one area a site, or the name of a table, "grains.csv" or "diameter:grains.csv:ECD". */
     areas?: string | ArrayLike<number>;
     /**
      * The power cells (Laguerre cells) of given sites, which stay where they are: one length squared a site, such as the

@@ -79,7 +79,7 @@ export const FIELDS = [
         // The empty choice means whole cells.
         choices: choicesOf('wallCells', 'whole').filter(([word]) => word !== 'whole')
     },
-    {id: 'areas', value: '', read: asGiven, words: /area/i},
+    {id: 'areas', value: '', read: asGiven, words: /area|laws? of sizes/i},
     {
         id: 'start',
         value: '',

@@ -59,8 +59,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     orientations    each cell gets an orientation: shape (n, 3), Bunge's angles phi1, Phi, phi2 in
                     degrees; or "random", drawn from `seed`. See Result.orientations
     volumes         in space, cells of prescribed volumes, power cells: shape (n,), positive numbers in any
-                    unit, scaled to the volume of the domain; or "equal", "lognormal:S" or "gamma:S", drawn
-                    from `seed`, with S the standard deviation over the mean of the equivalent diameters.
+                    unit, scaled to the volume of the domain; or "equal", "lognormal:S", "gamma:S" or a mixture,
+                    drawn from `seed`, with S the standard deviation over the mean of the equivalent diameters.
                     max_iterations centroidal steps, five where it is negative, make the cells round
     fields          numbers of pcvt_options, by their names in pcvt.h
 
@@ -77,7 +77,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     areas           cells of prescribed areas, power cells: shape (n,), positive numbers in any unit,
                     scaled to the area of the domain; or "equal", or "lognormal:S" or "gamma:S", drawn
                     from `seed`, with S the standard deviation over the mean of the equivalent
-                    diameters. See Result.weights
+                    diameters; or a mixture, "0.7*lognormal:0.3@1+0.3*gamma:0.2@3": the share of the
+                    cells, their law and their mean diameter in any unit. See Result.weights
     weights         the power cells (Laguerre cells) of given sites that stay where they are, with
                     max_iterations=0: shape (n,), lengths squared, such as radii ** 2
     aspect          R or (R, degrees): cells R times as long along degrees from x as across, 0.01 to

@@ -19,7 +19,7 @@ TEST(TargetAreas, LawsHaveTheSpreadThatTheyName) {
                                    "gamma:0.42", "gamma:0.8", "gamma:1.2"}) {
         const AreaLaw law = parse_area_law(text);
         const double spread = diameter_spread(draw_areas(law, 200'000, 1));
-        EXPECT_NEAR(spread, law.spread, 0.015 * law.spread) << text;
+        EXPECT_NEAR(spread, law.components[0].spread, 0.015 * law.components[0].spread) << text;
     }
     EXPECT_EQ(diameter_spread(draw_areas(parse_area_law("equal"), 10, 1)), 0);
 }
@@ -69,15 +69,22 @@ TEST(TargetAreas, ImpossibleTargetsAreRefusedInOneLine) {
     EXPECT_THAT(scaled, ThrowsMessage<InvalidInput>(HasSubstr("2 areas for 3 sites")));
 }
 
-TEST(TargetAreas, MisspeltLawsAreRefused) {
-    for (const char* const text :
-         {"normal:0.4", "lognormal", "lognormal:", "lognormal:x", "gamma:0", "gamma:-1",
-          "gamma:2.1", "gamma:0.4x", "equal:1", "gamma:nan"}) {
-        EXPECT_THROW(parse_area_law(text), InvalidInput) << text;
+// The numbers of cells with each law are the shares of all, rounded to the nearest with the sum n.
+TEST(TargetAreas, MixturesKeepTheSharesOfTheNumber) {
+    const AreaLaw law = parse_area_law("0.7*equal@1+0.2*equal@2+0.1*equal@3");
+    for (int n = 1; n <= 60; ++n) {
+        const Eigen::ArrayXd diameters = draw_areas(law, n, n).array().sqrt();
+        const double unit = std::sqrt(areas_of_diameters(Eigen::VectorXd::Ones(1))[0]);
+        int sum = 0;
+        for (const LawComponent& component : law.components) {
+            const auto count =
+                static_cast<int>(((diameters / unit - component.mean).abs() < 1e-12).count());
+            EXPECT_LT(std::abs(count - component.share * n), 1) << n;
+            sum += count;
+        }
+        EXPECT_EQ(sum, n);
     }
-    EXPECT_TRUE(names_area_law("gamma:0.4x"));
-    EXPECT_FALSE(names_area_law("areas.txt"));
-    EXPECT_EQ(parse_area_law("gamma:0.5"), (AreaLaw{AreaLaw::Kind::kGamma, 0.5}));
+    EXPECT_NE(draw_areas(law, 60, 1), draw_areas(law, 60, 2));
 }
 
 }  // namespace

@@ -209,6 +209,7 @@ static void every_field_is_checked(void) {
     FIELD_REFUSED(n_areas, 3, "n_areas");
     FIELD_REFUSED(area_law, "", "law");
     FIELD_REFUSED(area_law, "gamma:-1", "gamma:S");
+    FIELD_REFUSED(area_law, "0.5*equal@1+0.4*equal@2", "sum to 0.9");
     FIELD_REFUSED(aspect, 0, "aspect");
     FIELD_REFUSED(aspect, (double)NAN, "aspect");
     FIELD_REFUSED(aspect_degrees, (double)INFINITY, "aspect_degrees");

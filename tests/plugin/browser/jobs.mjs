@@ -51,6 +51,7 @@ export const jobs = [
     [{ sites: 300, seed: 8, lattice: [1, 0, 40.3, 0.02] }],
     [{ sites: 400, seed: 9, density: ridge }],
     [{ sites: 300, seed: 10, areas: 'lognormal:0.42', maxIterations: 5 }],
+    [{ sites: 60, seed: 10, areas: '0.7*lognormal:0.3@1 + 0.3*gamma:0.2@3', maxIterations: 2 }],
     [{ sites: 200, seed: 11, lattice: oblique, areas: 'gamma:0.3', maxIterations: 3, aspect: [2, 30] }],
     [{ sites: 200, seed: 12, density: waves, start: 'coarse' }],
     [{ sites: 96, symmetry: 'p4' }],

@@ -40,7 +40,7 @@ const wrong = [
     ['density', { sites: 10, density: '1 +' }],
     ['density', { sites: 10, density: 'q' }],
     ['density', { sites: 10, density: 'u - 0.5' }],
-    ['areas', { sites: 10, areas: 'wide:1' }, "'wide:1' is not a law of areas; choose equal, lognormal:S or gamma:S"],
+    ['areas', { sites: 10, areas: 'wide:1' }, "'wide:1' is not a law of sizes; choose equal, lognormal:S, gamma:S or a mixture such as 0.7*lognormal:0.3@1+0.3*gamma:0.2@3"],
     ['aspect', { sites: 10, aspect: 1000 }],
     ['tolerance', { sites: 10, tolerance: -1 }],
     ['maxIterations', { sites: 10, maxIterations: -2 }],
@@ -71,7 +71,7 @@ const wrong = [
     ['areas', { input: 'points.csv', areas: 'three.txt', files }],
     ['weights', { input: 'points.csv', weights: 'three.txt', maxIterations: 0, files }],
     // Where the module has no such file, it takes the text for a law.
-    ['areas', { sites: 1, areas: 'none.csv', files }, "'none.csv' is not a law of areas; choose equal, lognormal:S or gamma:S"],
+    ['areas', { sites: 1, areas: 'none.csv', files }, "'none.csv' is not a law of sizes; choose equal, lognormal:S, gamma:S or a mixture such as 0.7*lognormal:0.3@1+0.3*gamma:0.2@3"],
 ];
 
 for (const [option, options, message] of wrong) {

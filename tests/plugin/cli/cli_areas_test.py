@@ -169,9 +169,21 @@ class PrescribedAreas(AreaTest):
     def test_impossible_laws_are_refused(self):
         for law, words in (("lognormal", "lognormal:S"), ("lognormal:0", "above 0"), ("gamma:3", "at most 2"),
                            ("gamma:nan", "gamma:S"), ("equal:1", "write 'equal'"), ("lognromal:0.4", "neither a law"),
-                           ("", "neither a law"), ("missing.txt", "a file with one area a line")):
+                           ("", "neither a law"), ("missing.txt", "a file with one area a line"),
+                           ("0.5*equal@1+0.4*gamma:0.2@2", "shares .* sum to 0.9; make it 1"),
+                           ("0.5*equal+0.5*gamma:0.2", "SHARE.LAW@MEAN")):
             self.refuse(2, "--areas.*" + words, "mesh", "--sites", 5, "--areas", law)
         self.refuse(2, "smaller spread", "mesh", "--sites", 500, "--areas", "gamma:2")
+
+    def test_a_mixture_has_its_shares_and_means(self):
+        mixture = "0.75*equal@1 + 0.25*equal@3"
+        report = self.report("--sites", 80, "--areas", mixture, "--max-iterations", 1, "--cells", "c.csv")
+        self.assertEqual(report["areas"]["law"], mixture)
+        rows = [line for line in self.path("c.csv").read_text().splitlines() if not line.startswith("#")]
+        column = rows[0].split(",").index("area")
+        areas = [float(row.split(",")[column]) for row in rows[1:]]
+        small = 1 / (60 + 20 * 9)
+        self.assertEqual(sorted(round(area / small, 7) for area in areas), [1] * 60 + [9] * 20)
 
     def test_impossible_files_are_refused_with_the_line(self):
         for text, words in (("1\n2\n", "a.txt:2: the last of 2 areas, but there are 3 sites; give one"),

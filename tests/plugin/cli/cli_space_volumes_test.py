@@ -55,6 +55,13 @@ class Volumes(CliTest):
             for volume, wanted in zip(volumes, (1 / 36, 8 / 36, 27 / 36), strict=True):
                 self.assertAlmostEqual(volume / wanted, 1, delta=1e-9)
 
+    def test_a_mixture_has_its_shares_and_means(self):
+        self.succeed("mesh", "--sites", 80, *CUBE, "--volumes", "0.75*equal@1+0.25*equal@2", "--cells", "c.csv")
+        small = 1 / (60 + 20 * 8)
+        volumes = sorted(float(row["volume"]) / small for row in self.rows("c.csv"))
+        for volume, wanted in zip(volumes, [1] * 60 + [8] * 20, strict=True):
+            self.assertAlmostEqual(volume, wanted, delta=1e-8)
+
     def test_threads_and_tables_of_cells_keep_the_bytes(self):
         made = ("mesh", "--sites", 200, *CUBE, "--volumes", "gamma:0.4", "--orientations", "random")
         self.succeed(*made, "-o", "t.vtu", "--cells", "t.csv", "-o", "t.vti")

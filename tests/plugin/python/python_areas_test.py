@@ -50,6 +50,10 @@ class Areas(unittest.TestCase):
         diameters = one.cells["diameter"]
         self.assertAlmostEqual(diameters.std() / diameters.mean(), 0.42, delta=0.1)
 
+    def test_a_mixture_has_its_shares_and_means(self):
+        areas = pcvt.mesh(20, areas="0.75*equal@1+0.25*equal@3", max_iterations=0).cells["area"] * (15 + 5 * 9)
+        np.testing.assert_allclose(np.sort(areas), [1] * 15 + [9] * 5, rtol=1e-9)
+
     def test_cells_are_those_of_brute_force_in_the_metric(self):
         for ratio, degrees in ((1, 0), (3, 25), (0.4, 100)):
             result = pcvt.mesh(30, OBLIQUE, areas="gamma:0.3", max_iterations=1, aspect=(ratio, degrees))
@@ -83,7 +87,7 @@ class Areas(unittest.TestCase):
 
     def test_impossible_targets_are_refused(self):
         for areas, words in (([1, 2], "n_areas"), ([1, -1, 1], "area of site 1"), ([1, math.nan, 1], "site 1"),
-                             ([1, 0, 1], "site 1"), ("gamma", "gamma:S"), ("dirac:1", "law"), ("", "law"), (3, "n_areas")):
+                             ([1, 0, 1], "site 1"), ("gamma", "gamma:S"), ("0.5*equal@1", "shares"), ("dirac:1", "law"), ("", "law"), (3, "n_areas")):
             with self.assertRaisesRegex(pcvt.ArgumentError, words):
                 pcvt.mesh(3, areas=areas)
         with self.assertRaisesRegex(pcvt.ArgumentError, "areas does not work with density"):

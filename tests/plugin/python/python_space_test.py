@@ -300,6 +300,8 @@ class Materials(CliTest):
         self.assertAlmostEqual(drawn.cells["volume"].sum(), 1, delta=1e-12)
         spread = drawn.cells["diameter"].std() / drawn.cells["diameter"].mean()
         self.assertTrue(0.2 < spread < 0.5, spread)
+        mixed = pcvt.mesh(8, OBLIQUE, volumes="0.75*equal@1+0.25*equal@2", max_iterations=0).cells["volume"] / 0.729
+        np.testing.assert_allclose(np.sort(mixed), np.array([1] * 6 + [8] * 2) / 22, rtol=1e-9)
         wanted = np.arange(1, 21)
         given = pcvt.mesh(20, OBLIQUE, volumes=wanted, max_iterations=0)
         np.testing.assert_allclose(given.cells["volume"], wanted * 0.729 / wanted.sum(), rtol=1e-9)
