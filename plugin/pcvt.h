@@ -247,8 +247,10 @@ typedef struct pcvt_options {
     const char* phases; /**< "NAME:FRACTION,NAME:FRACTION,...": each cell gets a phase; fractions of
                            the area, sum 1, spread evenly, drawn from `seed` [NULL] */
     const double* orientations;  /**< n_orientations triples phi1, Phi, phi2, Bunge's angles in
-                                    degrees, one a site [NULL] */
-    int32_t n_orientations;      /**< n_sites, or 0 where `orientations` is NULL [0] */
+                                    degrees, one a site; or a list from which orientations are
+                                    drawn by `seed`, if it is longer or has weights [NULL] */
+    int32_t n_orientations;      /**< at least n_sites, or with weights at least 1; 0 where
+                                    `orientations` is NULL [0] */
     int32_t random_orientations; /**< 1: orientations without a texture, drawn from `seed`; excludes
                                     `orientations` [0] */
     int32_t symmetry; /**< PCVT_SYMMETRY_...: drawn sites have, and keep, the symmetry of a group,
@@ -306,6 +308,9 @@ typedef struct pcvt_options {
                                mixture, as area_law, in place of `volumes`; NULL: none */
     int32_t n_volumes;      /**< n_sites, or 0 where `volumes` is NULL [0] */
     int32_t reserved6;
+
+    const double* orientation_weights; /**< n_orientations numbers from 0 on, not all 0, by which
+                                          `orientations` are drawn [NULL] */
 } pcvt_options;
 
 /** The optimised sites. */

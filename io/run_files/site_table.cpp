@@ -85,7 +85,9 @@ SiteTable<Dimension> parse_site_table(const TableName& name, std::string_view te
     naming_positions<Dimension>(name, [&] {
         if (filled.weights) table.weights = parse_weights(of_quantity(0), text);
         if (filled.phases) table.phases = parse_phase_table(of_quantity(1), text);
-        if (filled.orientations) table.orientations = parse_orientations(of_quantity(2), text);
+        if (filled.orientations) {
+            table.orientations = parse_orientations(of_quantity(2), text).angles;
+        }
     });
     return table;
 }

@@ -8,6 +8,22 @@
 #include "mesher/cells/set_names.hpp"
 
 namespace pcvt {
+namespace {
+
+std::vector<BungeAngles> choose_orientations(const MaterialChoices& choices, int n_cells,
+                                             std::uint64_t seed) {
+    if (choices.draws_orientations) return random_orientations(n_cells, seed);
+    if (!choices.draws_from_list(n_cells)) return choices.orientations;
+    std::vector<double> weights = choices.orientation_weights;
+    if (weights.empty()) weights.assign(choices.orientations.size(), 1);
+    std::vector<BungeAngles> chosen;
+    for (const int k : draw_entries(weights, n_cells, seed)) {
+        chosen.push_back(choices.orientations[k]);
+    }
+    return chosen;
+}
+
+}  // namespace
 
 void require_phase_names(const MaterialChoices& choices) {
     std::vector<std::string> names;
@@ -16,13 +32,16 @@ void require_phase_names(const MaterialChoices& choices) {
 }
 
 void require_one_a_site(const MaterialChoices& choices, int n_sites) {
-    const auto require = [n_sites](std::size_t n, const std::string& name) {
+    const auto require = [n_sites](std::size_t n, const std::string& name,
+                                   const std::string& remedy = "") {
         if (n == 0 || n == static_cast<std::size_t>(n_sites)) return;
         throw InvalidInput("there are " + std::to_string(n) + " " + name + " for " +
-                           std::to_string(n_sites) + " sites; give one for each site");
+                           std::to_string(n_sites) + " sites; give one for each site" + remedy);
     };
     require(choices.site_phases.size(), "phases");
-    require(choices.orientations.size(), "orientations");
+    if (choices.draws_from_list(n_sites)) return;
+    require(choices.orientations.size(), "orientations",
+            ", or a list to draw from, which is longer or has weights");
 }
 
 CellMaterials choose_materials(const MaterialChoices& choices, const CellTable& cells,
@@ -39,9 +58,7 @@ CellMaterials choose_materials(const MaterialChoices& choices, const CellTable& 
     } else if (!fractions.empty()) {
         materials.site_phase = assign_phases(cells, fractions, seed);
     }
-    materials.site_orientation = choices.draws_orientations
-                                     ? random_orientations(cells.n_cells(), seed)
-                                     : choices.orientations;
+    materials.site_orientation = choose_orientations(choices, cells.n_cells(), seed);
     return materials;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
+#include <string>
 #include <vector>
 
 #include "mesher/cells/cell_materials.hpp"
@@ -17,9 +19,18 @@ struct MaterialChoices {
     /// phases are spread evenly.
     std::vector<int> site_phases = {};
     bool draws_orientations = false;
-    /// The orientations of sites 0 ... n - 1, unless they are drawn; empty: no orientations.
+    /// The orientations of sites 0 ... n - 1, or a list from which those of the sites are drawn:
+    /// see draws_from_list(). Empty: no orientations, or random ones.
     std::vector<BungeAngles> orientations = {};
+    /// The weights of a list, one an orientation, not negative and not all zero; empty: all alike.
+    std::vector<double> orientation_weights = {};
+    /// The file of the list, with the column of its weights, for the summary.
+    std::string orientation_source = {};
 
+    /// Whether the orientations are a list: they have weights, or are more than the sites.
+    bool draws_from_list(int n_sites) const {
+        return !orientation_weights.empty() || std::ssize(orientations) > n_sites;
+    }
     bool has_orientations() const { return draws_orientations || !orientations.empty(); }
     bool empty() const { return phases.empty() && !has_orientations(); }
 };
@@ -40,7 +51,7 @@ struct PhaseFigures {
 ///     const CellMaterials materials =
 ///         choose_materials({.phases = parse_phases("a:0.3,b:0.7")}, cells, seed);
 ///
-/// @throws InvalidInput if there is not one orientation, or one given phase, for each cell.
+/// @throws InvalidInput as require_one_a_site() does.
 CellMaterials choose_materials(const MaterialChoices& choices, const CellTable& cells,
                                std::uint64_t seed);
 
@@ -59,7 +70,9 @@ MaterialsOfCells materials_of_cells(const MaterialChoices& choices, const CellTa
 /// @throws InvalidInput naming the first such phase.
 void require_phase_names(const MaterialChoices& choices);
 
-/// @throws InvalidInput if there are orientations or given phases, but not n_sites.
+/// @throws InvalidInput if there are given phases, but not n_sites, or orientations that are
+/// neither
+///         n_sites nor a list.
 void require_one_a_site(const MaterialChoices& choices, int n_sites);
 
 /// One entry a phase.

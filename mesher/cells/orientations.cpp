@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "mesher/base/checkpoint.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 /// Separates the numbers from those that uniform_points draws from the same seed.
 constexpr std::uint64_t kSeedOfOrientations = 0x8cb92ba72f3d8dd7;
+constexpr std::uint64_t kSeedOfEntries = 0x3c79ac492ba7b653;
 
 /// In (0, 1).
 double uniform(std::mt19937_64& generator) {
@@ -40,6 +42,29 @@ std::vector<BungeAngles> random_orientations(int n, std::uint64_t seed) {
                                 360 * uniform(generator)});
     }
     return orientations;
+}
+
+std::vector<int> draw_entries(std::span<const double> weights, int n, std::uint64_t seed) {
+    std::mt19937_64 generator(seed ^ kSeedOfEntries);
+    const double step = std::accumulate(weights.begin(), weights.end(), 0.0) / n;
+    const double first = uniform(generator) * step;
+    // Equidistant points on the line of all weights fall on their entries.
+    std::vector<int> entries;
+    double end = 0;
+    for (int k = 0; k < std::ssize(weights); ++k) {
+        checkpoint_each(k);
+        end += weights[k];
+        while (std::ssize(entries) < n && first + double(std::ssize(entries)) * step < end) {
+            entries.push_back(k);
+        }
+    }
+    // The sum of the weights and `end` are the same sum, so the last point can be missed only by
+    // the rounding of its place.
+    while (std::ssize(entries) < n) entries.push_back(entries.back());
+    for (int k = n - 1; k > 0; --k) {
+        std::swap(entries[k], entries[static_cast<int>(uniform(generator) * (k + 1))]);
+    }
+    return entries;
 }
 
 AngleRange angle_range(std::span<const BungeAngles> orientations) {

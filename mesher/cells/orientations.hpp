@@ -24,6 +24,16 @@ Eigen::Matrix3d bunge_matrix(const BungeAngles& angles);
 /// uniform cosine, degrees. The same seed gives the same bits on every machine.
 std::vector<BungeAngles> random_orientations(int n, std::uint64_t seed);
 
+/// Sums of weights up to this are numbers.
+inline constexpr double kLargestEntryWeight = 1e150;
+
+/// Draws the entries of a list of orientations for n cells, in random order: entry k is drawn
+/// n w_k / (sum of w) times on average, and never a whole time more or less, w the weights. So a
+/// list of equal weights that is longer than n gives different entries.
+/// @param weights  one an entry, from 0 to kLargestEntryWeight, not all 0.
+/// @returns        n indices from 0; the same seed gives the same ones on every machine.
+std::vector<int> draw_entries(std::span<const double> weights, int n, std::uint64_t seed);
+
 /// The least and the greatest of each angle.
 struct AngleRange {
     BungeAngles least;

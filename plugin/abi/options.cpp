@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "plugin/abi/feature_fields.hpp"
 #include "plugin/abi/option_values.hpp"
@@ -166,6 +167,35 @@ void read_site_phases(const pcvt_options& options, MaterialChoices& choices) {
     }
 }
 
+/// Sets the orientation of each site, or the list from which they are drawn.
+void read_orientations(const pcvt_options& options, MaterialChoices& choices) {
+    if (choices.draws_orientations) {
+        throw InvalidInput(
+            "orientations and random_orientations exclude each other; leave one out");
+    }
+    const std::int32_t n = options.n_orientations;
+    if (n < 1 || (n < options.n_sites && options.orientation_weights == nullptr)) {
+        throw InvalidInput(
+            "n_orientations is less than n_sites; give one orientation for each site, or a list to "
+            "draw from, which is longer or has weights");
+    }
+    for (std::int32_t k = 0; k < n; ++k) {
+        const double* const angles = options.orientations + 3 * std::ptrdiff_t{k};
+        choices.orientations.push_back(checked_angles({angles[0], angles[1], angles[2]}));
+    }
+    choices.orientation_source = "the list";
+    if (options.orientation_weights == nullptr) return;
+    const std::span<const double> weights(options.orientation_weights, std::size_t(n));
+    const auto is_weight = [](double w) { return w >= 0 && w <= kLargestEntryWeight; };
+    if (!std::all_of(weights.begin(), weights.end(), is_weight) ||
+        *std::max_element(weights.begin(), weights.end()) == 0) {
+        throw InvalidInput(
+            "orientation_weights are not all from 0 to 1e150, or all are 0; give weights of the "
+            "orientations");
+    }
+    choices.orientation_weights.assign(weights.begin(), weights.end());
+}
+
 MaterialChoices materials(const pcvt_options& options) {
     MaterialChoices choices;
     if (options.site_phases != nullptr) {
@@ -179,21 +209,12 @@ MaterialChoices materials(const pcvt_options& options) {
         throw InvalidInput("random_orientations is neither 0 nor 1");
     }
     choices.draws_orientations = options.random_orientations == 1;
-    if (options.orientations == nullptr) {
-        if (options.n_orientations == 0) return choices;
+    if (options.orientations != nullptr) {
+        read_orientations(options, choices);
+    } else if (options.n_orientations != 0 || options.orientation_weights != nullptr) {
         throw InvalidInput(
-            "n_orientations is not 0, but orientations is a null pointer; give both");
-    }
-    if (choices.draws_orientations) {
-        throw InvalidInput(
-            "orientations and random_orientations exclude each other; leave one out");
-    }
-    if (options.n_orientations != options.n_sites) {
-        throw InvalidInput("n_orientations is not n_sites; give one orientation for each site");
-    }
-    for (std::int32_t s = 0; s < options.n_sites; ++s) {
-        const double* const angles = options.orientations + 3 * std::ptrdiff_t{s};
-        choices.orientations.push_back(checked_angles({angles[0], angles[1], angles[2]}));
+            "n_orientations is not 0, or orientation_weights is given, but orientations is a null "
+            "pointer; give all");
     }
     return choices;
 }

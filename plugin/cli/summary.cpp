@@ -201,6 +201,26 @@ std::string angle_text(const AngleRange& angles) {
            range(&BungeAngles::phi2) + " degrees";
 }
 
+/// The lines of the orientations of the cells.
+std::string orientation_lines(const Job& job, const RunSummary& summary) {
+    if (!summary.angles) return "";
+    const MaterialChoices& choices = job.materials;
+    std::string text;
+    if (choices.draws_from_list(summary.n_sites)) {
+        text = summary_line(
+            "texture", "drawn from the " +
+                           counted(static_cast<int>(choices.orientations.size()), "orientation") +
+                           " of " + choices.orientation_source);
+    }
+    text += summary_line("angles", angle_text(*summary.angles));
+    if (!summary.misorientations) return text;
+    const Misorientations& found = *summary.misorientations;
+    return text +
+           summary_line("neighbours", "as cubic crystals misoriented by " + figure(found.mean) +
+                                          " degrees on average, at most " + figure(found.largest) +
+                                          "; without a texture 40.7 and 62.8");
+}
+
 std::string material_lines(const Job& job, const RunSummary& summary) {
     const bool are_given = !job.file_options.elastic.materials.empty();
     std::string text;
@@ -273,7 +293,7 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     if (job.weights) text += summary_line("weights", job.weights->name);
     text += constraint_lines(job, summary);
     text += phase_lines(job, summary);
-    if (summary.angles) text += summary_line("angles", angle_text(*summary.angles));
+    text += orientation_lines(job, summary);
     text += material_lines(job, summary);
     text += tile_lines(summary);
     for (const std::string& words : summary.recovered) text += summary_line("recovered", words);

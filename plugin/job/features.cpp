@@ -142,7 +142,7 @@ constexpr std::array kFeatures{
                .taken = takes<&FormatChoices::phases>},
     FeatureRow{.feature = F::kOrientations,
                .option = "--orientations",
-               .fields = "orientations n_orientations random_orientations",
+               .fields = "orientations n_orientations random_orientations orientation_weights",
                .in_space = true,
                .is_chosen = [](const Job& job) { return job.materials.has_orientations(); },
                .in_files = "orientations",

@@ -169,7 +169,7 @@ void append_phases(JsonWriter& json, const RunSummary& summary) {
     });
 }
 
-void append_orientations(JsonWriter& json, const RunSummary& summary) {
+void append_orientations(JsonWriter& json, const Job& job, const RunSummary& summary) {
     if (!summary.angles) return;
     const BungeAngles& least = summary.angles->least;
     const BungeAngles& greatest = summary.angles->greatest;
@@ -177,6 +177,23 @@ void append_orientations(JsonWriter& json, const RunSummary& summary) {
         json.member("phi1", std::array{least.phi1, greatest.phi1});
         json.member("Phi", std::array{least.Phi, greatest.Phi});
         json.member("phi2", std::array{least.phi2, greatest.phi2});
+        if (job.materials.draws_from_list(summary.n_sites)) {
+            json.member("drawn_from", job.materials.orientation_source);
+            json.member("listed", job.materials.orientations.size());
+        }
+    });
+}
+
+void append_misorientations(JsonWriter& json, const RunSummary& summary) {
+    if (!summary.misorientations) return;
+    const Misorientations& found = *summary.misorientations;
+    json.object("misorientations", [&] {
+        json.member("symmetry", "cubic");
+        json.member("mean", found.mean);
+        json.member("largest", found.largest);
+        json.member("boundaries", found.n_boundaries);
+        json.member("class", Misorientations::kClass);
+        json.member("counts", found.counts);
     });
 }
 
@@ -261,7 +278,8 @@ void append_choices(JsonWriter& json, const Job& job, const RunSummary& summary)
     }
     append_phases(json, summary);
     append_duplicates(json, job);
-    append_orientations(json, summary);
+    append_orientations(json, job, summary);
+    append_misorientations(json, summary);
     append_materials(json, summary);
 }
 

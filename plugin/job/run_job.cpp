@@ -24,7 +24,10 @@ RunSummary summarize(const Job& job, const Computation<World>& computation) {
     if (job.stability) summary.minimum = minimum_of(computation.cells);
     summary.phases = computation.phases;
     const std::vector<BungeAngles>& orientations = computation.materials.site_orientation;
-    if (!orientations.empty()) summary.angles = angle_range(orientations);
+    if (!orientations.empty()) {
+        summary.angles = angle_range(orientations);
+        summary.misorientations = misorientations(computation.cells.table(), computation.materials);
+    }
     summary.start = computation.start;
     return summary;
 }

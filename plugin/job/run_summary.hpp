@@ -9,6 +9,7 @@
 #include "io/bytes/output_error.hpp"
 #include "mesher/cells/elastic_choices.hpp"
 #include "mesher/cells/material_choices.hpp"
+#include "mesher/cells/misorientations.hpp"
 #include "mesher/cells/orientations.hpp"
 #include "mesher/cvt/size_summary.hpp"
 #include "mesher/optimize/minimum.hpp"
@@ -84,6 +85,8 @@ struct RunSummary {
     std::vector<PhaseFigures> phases = {};
     /// The range of the orientations, if the job has some.
     std::optional<AngleRange> angles = {};
+    /// The misorientations of neighbours, as of cubic crystals; `nullopt` where there are none.
+    std::optional<Misorientations> misorientations = {};
     /// The materials whose elastic constants the files state.
     std::vector<NamedConstants> constants = {};
     /// In the plane, one entry for each mesh of the job.

@@ -4,6 +4,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <filesystem>
+#include <utility>
 
 #include "io/bytes/text.hpp"
 #include "io/run_files/orientation_reader.hpp"
@@ -52,7 +53,8 @@ void add_material_options(CLI::App& app, MaterialOptions& options) {
                    "line, one line a site, or with columns phi1, Phi, phi2 or Euler1 to Euler3\n"
                    "in its header, or FILE:COLUMN,COLUMN,COLUMN, in degrees, or in radians as\n"
                    "its header or rad:FILE says; deg:FILE takes as degrees what looks like\n"
-                   "radians")
+                   "radians; from a table of more lines than sites, or with a column weight or a\n"
+                   "fourth COLUMN of weights, orientations are drawn, from --seed")
         ->type_name("random|FILE|deg:FILE|rad:FILE");
     app.add_option(
            "--material", options.materials,
@@ -89,7 +91,10 @@ MaterialChoices material_choices(const CLI::App& app, const MaterialOptions& opt
     choices.draws_orientations = options.orientations == "random";
     if (choices.draws_orientations) return choices;
     const TableName table = orientation_table(options.orientations);
-    choices.orientations = read_orientations(table);
+    OrientationTable read = read_orientations(table);
+    choices.orientations = std::move(read.angles);
+    choices.orientation_weights = std::move(read.weights);
+    choices.orientation_source = std::move(read.source);
     inputs.push_back(table.path);
     return choices;
 }

@@ -239,6 +239,7 @@ def mesh(
     aspect: Union[float, Tuple[float, float]] = 1.0,
     phases: Union[None, str, Mapping[str, float], Sequence[str]] = None,
     orientations: Optional[ArrayLike] = None,
+    orientation_weights: Optional[ArrayLike] = None,
     symmetry: Optional[str] = None,
     walls: str = "none",
     wall_cells: str = "whole",

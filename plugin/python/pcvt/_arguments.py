@@ -82,23 +82,27 @@ def set_site_phases(options, phases):
     return indices
 
 
-def set_materials(options, phases, orientations):
-    """Returns the array that must stay alive as long as the options are used, or None."""
+def set_materials(options, phases, orientations, weights):
+    """Returns the arrays that must stay alive as long as the options are used."""
     if phases is not None:
         if not isinstance(phases, str):
             phases = ",".join(f"{name}:{float(fraction)!r}" for name, fraction in phases.items())
         options.phases = text("phases", phases)
-    if orientations is None:
-        return None
+    arrays = []
+    if weights is not None:
+        if orientations is None or isinstance(orientations, str):
+            raise ArgumentError("orientation_weights are those of a list of orientations; give one")
+        arrays.append(doubles("orientation_weights", weights, len(orientations)))
+        options.orientation_weights = arrays[0].ctypes.data
     if isinstance(orientations, str):
         if orientations != "random":
             raise ArgumentError(f"orientations {orientations!r} is unknown; give random or angles")
         options.random_orientations = 1
-        return None
-    array = doubles("orientations", orientations, len(orientations), 3)
-    set_integers(options, n_orientations=len(array))
-    options.orientations = array.ctypes.data
-    return array
+    elif orientations is not None:
+        arrays.append(doubles("orientations", orientations, len(orientations), 3))
+        set_integers(options, n_orientations=len(orientations))
+        options.orientations = arrays[-1].ctypes.data
+    return arrays
 
 
 def material_text(materials):

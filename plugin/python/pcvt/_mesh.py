@@ -15,9 +15,9 @@ from ._structs import Options
 def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0), origin=(0, 0),
          repeat=(1, 1), seed=0, start="default", solver="default", tolerance=1e-6,
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
-         budget=0, progress=None, areas=None, volumes=None, weights=None, aspect=1.0, phases=None, orientations=None, symmetry=None,
-         walls="none", wall_cells="whole", fixed=None, inclusions=None, fibres=None, holes=(),
-         duplicates="refuse", **fields):
+         budget=0, progress=None, areas=None, volumes=None, weights=None, aspect=1.0, phases=None,
+         orientations=None, orientation_weights=None, symmetry=None, walls="none", wall_cells="whole",
+         fixed=None, inclusions=None, fibres=None, holes=(), duplicates="refuse", **fields):
     """Generates a periodic centroidal Voronoi tessellation of the plane, or, with three period vectors,
     of space, whose cells are polyhedra. The same arguments give the same result to the last bit.
     Ctrl-C ends the run at the next iteration.
@@ -57,7 +57,11 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     sum 1; spread evenly, drawn from `seed`; or a list with the name of each site's phase.
                     See Result.phases
     orientations    each cell gets an orientation: shape (n, 3), Bunge's angles phi1, Phi, phi2 in
-                    degrees; or "random", drawn from `seed`. See Result.orientations
+                    degrees; or "random", drawn from `seed`; or a list of shape (m, 3), from which they
+                    are drawn, if m is more than the number of sites or the list has weights. See
+                    Result.orientations
+    orientation_weights
+                    shape (m,), weights of the list of orientations, such as volume fractions
     volumes         in space, cells of prescribed volumes, power cells: shape (n,), positive numbers in any
                     unit, scaled to the volume of the domain; or "equal", "lognormal:S", "gamma:S" or a mixture,
                     drawn from `seed`, with S the standard deviation over the mean of the equivalent diameters.
@@ -114,7 +118,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     _weights, _phases = set_weights(options, weights), None
     if phases is not None and not isinstance(phases, (str, dict)):
         _phases, phases = set_site_phases(options, phases), None
-    _angles = set_materials(options, phases, orientations)
+    _angles = set_materials(options, phases, orientations, orientation_weights)
     _fixed = set_fixed(options, fixed)
     set_inclusions(options, inclusions, fibres, holes)
     columns, rows = repeat

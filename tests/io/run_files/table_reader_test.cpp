@@ -110,7 +110,7 @@ TEST(TableMatrix, AnglesAreReadInEveryForm) {
             in_form(form, {{"phi1", "PHI", "Phi2"}, {"0.5", "0.25", "-1.5"}, {"0.1", "1", "0.75"}});
         SCOPED_TRACE(form.words());
         const double factor = form.unit.empty() ? 1 : 180 / std::numbers::pi;
-        const std::vector<BungeAngles> angles = parse_orientations({.path = "o.txt"}, text);
+        const std::vector<BungeAngles> angles = parse_orientations({.path = "o.txt"}, text).angles;
         ASSERT_EQ(angles.size(), 2U);
         EXPECT_EQ(angles[0].phi1, 0.5 * factor);
         EXPECT_EQ(angles[0].Phi, 0.25 * factor);

@@ -34,6 +34,24 @@ TEST(MaterialChoices, GivenOrientationsBelongToTheSitesInTheirOrder) {
                     HasSubstr("3 orientations for 4 sites; give one for each site")));
 }
 
+TEST(MaterialChoices, ListsAreLongerThanTheSitesOrHaveWeights) {
+    const std::vector<BungeAngles> list = random_orientations(9, 1);
+    MaterialChoices choices{.orientations = list};
+    const auto drawn = [&](int n, std::uint64_t seed) {
+        return choose_materials(choices, few_cells(n), seed).site_orientation;
+    };
+    EXPECT_EQ(drawn(9, 1), list);
+    EXPECT_EQ(drawn(5, 1).size(), 5U);
+    EXPECT_EQ(drawn(5, 1), drawn(5, 1));
+    EXPECT_NE(drawn(5, 1), drawn(5, 2));
+    EXPECT_THAT([&] { drawn(10, 1); },
+                ThrowsMessage<InvalidInput>(HasSubstr("9 orientations for 10 sites; give one for "
+                                                      "each site, or a list to draw from")));
+    choices.orientation_weights = {0, 0, 3, 0, 0, 0, 0, 0, 0};
+    EXPECT_EQ(drawn(12, 1), std::vector<BungeAngles>(12, list[2]));
+    EXPECT_EQ(drawn(9, 1), std::vector<BungeAngles>(9, list[2]));
+}
+
 TEST(MaterialChoices, FiguresAreThoseOfTheCells) {
     const CellTable cells = few_cells(40);
     const MaterialChoices choices{.phases = parse_phases("a:0.25,b:0.75"),

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 namespace pcvt {
@@ -65,6 +67,43 @@ TEST(Orientations, AreTheSameBitsOnEveryMachine) {
     EXPECT_EQ(drawn[0].phi1, 0x1.33c9261e22f8dp+8);
     EXPECT_EQ(drawn[0].Phi, 0x1.ebc138d8ac1b9p+6);
     EXPECT_EQ(drawn[1].Phi, 0x1.454589503fd6p+7);
+}
+
+TEST(Orientations, EntriesAreDrawnByTheirWeightsRoundedUpOrDown) {
+    std::vector<double> weights;
+    for (int k = 0; k < 50; ++k) weights.push_back(k % 7 == 3 ? 0 : 1 + k % 5 * 0.37);
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    std::vector<double> mean(weights.size(), 0);
+    const int n_seeds = 500;
+    for (const int n : {1, 7, 50, 333}) {
+        std::fill(mean.begin(), mean.end(), 0);
+        for (int seed = 0; seed < n_seeds; ++seed) {
+            const std::vector<int> drawn = draw_entries(weights, n, seed);
+            ASSERT_EQ(std::ssize(drawn), n);
+            for (std::size_t k = 0; k < weights.size(); ++k) {
+                const auto times = double(std::count(drawn.begin(), drawn.end(), int(k)));
+                EXPECT_LT(std::abs(times - n * weights[k] / sum), 1);
+                mean[k] += times / n_seeds;
+            }
+        }
+        for (std::size_t k = 0; k < weights.size(); ++k) {
+            EXPECT_NEAR(mean[k], n * weights[k] / sum, 4 * 0.5 / std::sqrt(n_seeds)) << n;
+        }
+    }
+}
+
+TEST(Orientations, LongListsOfEqualWeightsGiveDifferentEntriesInRandomOrder) {
+    const std::vector<double> alike(1000, 0.1);
+    std::vector<int> drawn = draw_entries(alike, 600, 3);
+    EXPECT_EQ(drawn, draw_entries(alike, 600, 3));
+    EXPECT_NE(drawn, draw_entries(alike, 600, 4));
+    // The first and the last half have the same mean, to four standard deviations.
+    const double first = std::accumulate(drawn.begin(), drawn.begin() + 300, 0.0) / 300;
+    const double last = std::accumulate(drawn.begin() + 300, drawn.end(), 0.0) / 300;
+    EXPECT_NEAR(first, last, 4 * 1000 / std::sqrt(12.0) * std::sqrt(2.0 / 300));
+    std::sort(drawn.begin(), drawn.end());
+    EXPECT_EQ(std::unique(drawn.begin(), drawn.end()), drawn.end());
+    EXPECT_EQ(draw_entries(std::vector<double>{0, 2, 0}, 3, 1), (std::vector<int>{1, 1, 1}));
 }
 
 }  // namespace

@@ -176,7 +176,8 @@ static void every_field_is_checked(void) {
         REFUSED(&changed, PCVT_ERROR_ARGUMENT, words); \
     } while (0)
     const double bad_lengths[] = {-1, (double)NAN, (double)INFINITY};
-    const double angles[9] = {0, 0, 0, 0, 0, 400, 0, 0, 0};
+    double angles[9] = {0, 0, 0, 0, 0, 400, 0, 0, 0};
+    double weights[3] = {0, -1, 0};
     pcvt_options options = options_for(3);
     size_t k;
     for (k = 0; k < 3; ++k) {
@@ -234,6 +235,16 @@ static void every_field_is_checked(void) {
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "-360 to 360");
     options.random_orientations = 1;
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "exclude each other");
+    options.random_orientations = 0;
+    angles[5] = 0;
+    options.orientation_weights = weights;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "orientation_weights are not all from 0 to 1e150");
+    weights[1] = 0;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "or all are 0");
+    options.orientations = NULL;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "orientations is a null pointer; give all");
+    options.n_orientations = 0;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "orientations is a null pointer; give all");
     options = options_for(3);
 #undef FIELD_REFUSED
 }

@@ -60,6 +60,7 @@ static void the_floating_point_environment_of_the_host_is_kept_and_does_not_matt
 
 static void cells_have_phases_and_orientations(void) {
     const double angles[12] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+    const double weights[4] = {0, 0.5, 0, 1.5};
     pcvt_options options = options_for(4);
     pcvt_result* result = NULL;
     pcvt_sites sites;
@@ -74,6 +75,17 @@ static void cells_have_phases_and_orientations(void) {
     for (s = 0; s < 4; ++s) first += sites.phases[s] == 0;
     CHECK(first == 1);
     for (s = 0; s < 12; ++s) CHECK(sites.orientations[s] == angles[s]);
+    pcvt_free(result);
+    /* A list with weights. */
+    options.orientation_weights = weights;
+    CHECK(pcvt_generate(&options, &result) == PCVT_OK);
+    CHECK(pcvt_get_sites(result, &sites, sizeof sites) == PCVT_OK);
+    first = 0;
+    for (s = 0; s < 4; ++s) {
+        CHECK(sites.orientations[3 * s] == 4 || sites.orientations[3 * s] == 10);
+        first += sites.orientations[3 * s] == 4;
+    }
+    CHECK(first == 1);
     pcvt_free(result);
     options = options_for(4);
     CHECK(pcvt_generate(&options, &result) == PCVT_OK);

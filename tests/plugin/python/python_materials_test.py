@@ -31,6 +31,16 @@ class Materials(CliTest):
         small = np.linspace(0, 3, 60).reshape(20, 3)
         np.testing.assert_array_equal(pcvt.mesh(20, orientations=small).orientations, small)
 
+    def test_orientations_are_drawn_from_a_list(self):
+        angles = np.arange(60.0).reshape(20, 3)
+        drawn = pcvt.mesh(8, orientations=angles).orientations
+        self.assertEqual(len(np.unique(drawn[:, 0])), 8)
+        self.assertTrue(set(map(tuple, drawn)) <= set(map(tuple, angles)))
+        weighted = pcvt.mesh(20, orientations=angles[:3], orientation_weights=(1, 0, 3)).orientations
+        self.assertEqual([(weighted[:, 0] == x).sum() for x in (0, 3, 6)], [5, 0, 15])
+        space = pcvt.mesh(8, period=(1, 1, 1), orientations=angles).orientations
+        np.testing.assert_array_equal(space, drawn)
+
     def test_files_are_those_of_the_command(self):
         options = ("--phases", "a:0.5,b:0.5", "--orientations", "random", "--job", "elastic",
                    "--material", "a:231400,134700,116400", "--material", "b:162.4,92,69,180.7,46.7")
@@ -62,6 +72,10 @@ class Materials(CliTest):
         for options, words in (({"phases": {"a": 0.5}}, "make the sum 1"), ({"phases": "a"}, "NAME:FRACTION"),
                                ({"phases": {"a b": 1}}, "letters"), ({"orientations": "rolled"}, "random"),
                                ({"orientations": [[1, 2, 3]]}, "n_orientations"),
+                               ({"orientation_weights": [1]}, "give one"),
+                               ({"orientations": "random", "orientation_weights": [1]}, "give one"),
+                               ({"orientations": [[1, 2, 3]], "orientation_weights": [1, 2]}, "orientation_weights"),
+                               ({"orientations": [[1, 2, 3]], "orientation_weights": [-1]}, "from 0 to 1e150"),
                                ({"orientations": [[1, 2, 400]] * 5}, "-360 to 360"),
                                ({"orientations": "random", "fibres": (0.3, 2)}, "leave it out")):
             with self.assertRaisesRegex(pcvt.ArgumentError, words):
