@@ -1,0 +1,246 @@
+#include "mesher/space/grains/cell_tetrahedra.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "mesher/base/error.hpp"
+
+namespace pcvt::space {
+namespace {
+
+constexpr int kMostTetrahedronSteps = 3000;
+constexpr FourCorners kNoNeighbours{-1, -1, -1, -1};
+
+/// The mean length of the edges of the hull at each of its points.
+std::vector<double> hull_sizes(const CellHull& hull) {
+    std::vector<double> sums(hull.points.size(), 0);
+    std::vector<int> n_edges(hull.points.size(), 0);
+    for (const ThreeCorners& triangle : hull.triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const int a = triangle[k];
+            const int b = triangle[(k + 1) % 3];
+            const double edge = distance(hull.points[a], hull.points[b]);
+            for (const int v : {a, b}) {
+                sums[v] += edge;
+                ++n_edges[v];
+            }
+        }
+    }
+    for (std::size_t v = 0; v < sums.size(); ++v) sums[v] /= n_edges[v];
+    return sums;
+}
+
+}  // namespace
+
+CellTetrahedra::CellTetrahedra(const CellHull& hull, const Vec3& centre)
+    : n_hull_(static_cast<int>(hull.points.size())),
+      points_(hull.points),
+      sizes_(hull_sizes(hull)),
+      one_at_(hull.points.size(), -1) {
+    double size = kUnlimited;
+    for (int v = 0; v < n_hull_; ++v) {
+        size = std::min(size, sizes_[v] + kSizeGrowth * distance(points_[v], centre));
+    }
+    const int v = add_vertex(centre, size);
+    std::vector<FourCorners> star;
+    HullChange all;
+    for (const ThreeCorners& t : hull.triangles) {
+        star.push_back({v, t[0], t[1], t[2]});
+        all.come.push_back(t);
+    }
+    replace({}, star, all);
+}
+
+double CellTetrahedra::worst() const {
+    double least = kUnlimited;
+    for (int t = 0; t < n_numbers(); ++t) {
+        if (is_alive(t)) least = std::min(least, quality_[t]);
+    }
+    return least;
+}
+
+bool CellTetrahedra::has_corner(int t, int v) const {
+    const FourCorners& c = corners_[t];
+    return c[0] == v || c[1] == v || c[2] == v || c[3] == v;
+}
+
+int CellTetrahedra::index_of(int t, int v) const {
+    int k = 0;
+    while (corners_[t][k] != v) ++k;
+    return k;
+}
+
+double CellTetrahedra::quality_with(int t, int v, const Vec3& at) const {
+    const FourCorners& c = corners_[t];
+    const auto corner = [&](int k) -> const Vec3& { return c[k] == v ? at : points_[c[k]]; };
+    return smallest_sine(corner(0), corner(1), corner(2), corner(3));
+}
+
+Circumsphere CellTetrahedra::circumsphere_of(int t) const {
+    const FourCorners& c = corners_[t];
+    return circumsphere(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]);
+}
+
+Vec3 CellTetrahedra::barycentre(int t) const {
+    const FourCorners& c = corners_[t];
+    return 0.25 * (points_[c[0]] + points_[c[1]] + points_[c[2]] + points_[c[3]]);
+}
+
+void CellTetrahedra::find_star(int v, std::vector<int>& star) const {
+    star.assign(1, one_at_[v]);
+    marks_[star[0]] = 1;
+    for (std::size_t i = 0; i < star.size(); ++i) {
+        const int t = star[i];
+        for (int k = 0; k < 4; ++k) {
+            const int o = neighbours_[t][k];
+            if (o < 0 || corners_[t][k] == v || marks_[o] != 0) continue;
+            marks_[o] = 1;
+            star.push_back(o);
+        }
+    }
+    for (const int t : star) marks_[t] = 0;
+}
+
+int CellTetrahedra::locate(const Vec3& x, int start) const {
+    int t = start;
+    for (int step = 0; step < kMostTetrahedronSteps; ++step) {
+        // The first triangle to be tried changes with the steps, so that the walk cannot circle.
+        int exit = -1;
+        for (int i = 0; i < 4 && exit < 0; ++i) {
+            const int k = (i + step) % 4;
+            const ThreeCorners a = triangle(t, k);
+            if (volume6(points_[a[0]], points_[a[1]], points_[a[2]], x) > 0) exit = k;
+        }
+        if (exit < 0) return t;
+        t = neighbours_[t][exit];
+        if (t < 0) return -1;
+    }
+    return -1;
+}
+
+int CellTetrahedra::any() const {
+    int t = 0;
+    while (!is_alive(t)) ++t;
+    return t;
+}
+
+CellTetrahedra::Side CellTetrahedra::side(const ThreeCorners& triangle, int t, int k) {
+    auto [a, b, c] = triangle;
+    if (a > b) std::swap(a, b);
+    if (b > c) std::swap(b, c);
+    if (a > b) std::swap(a, b);
+    return {a, b, c, t, k};
+}
+
+int CellTetrahedra::add(const FourCorners& corners) {
+    int t = n_numbers();
+    if (free_.empty()) {
+        corners_.push_back(corners);
+        neighbours_.push_back(kNoNeighbours);
+        quality_.push_back(0);
+        alive_.push_back(1);
+        marks_.push_back(0);
+    } else {
+        t = free_.back();
+        free_.pop_back();
+        corners_[t] = corners;
+        neighbours_[t] = kNoNeighbours;
+        alive_[t] = 1;
+    }
+    quality_[t] = smallest_sine_of(corners);
+    for (const int v : corners) one_at_[v] = t;
+    return t;
+}
+
+void CellTetrahedra::collect_boundary(std::span<const int> old, const HullChange& hull) {
+    const auto vanishes = [&](const Side& s) {
+        return std::any_of(hull.gone.begin(), hull.gone.end(), [&](const ThreeCorners& triangle) {
+            const Side g = side(triangle, -1, -1);
+            return s.a == g.a && s.b == g.b && s.c == g.c;
+        });
+    };
+    for (const ThreeCorners& triangle : hull.come) sides_.push_back(side(triangle, -1, -1));
+    for (const int t : old) marks_[t] = 1;
+    for (const int t : old) {
+        for (int k = 0; k < 4; ++k) {
+            const int o = neighbours_[t][k];
+            if (o >= 0 && marks_[o] != 0) continue;
+            int back = -1;
+            if (o >= 0) {
+                back = 0;
+                while (neighbours_[o][back] != t) ++back;
+            }
+            const Side here = side(triangle(t, k), o, back);
+            if (o >= 0 || !vanishes(here)) sides_.push_back(here);
+        }
+    }
+    for (const int t : old) marks_[t] = 0;
+}
+
+void CellTetrahedra::link_sides() {
+    std::sort(sides_.begin(), sides_.end(), [](const Side& s, const Side& r) {
+        return std::tie(s.a, s.b, s.c) < std::tie(r.a, r.b, r.c);
+    });
+    for (std::size_t i = 0; i < sides_.size(); i += 2) {
+        const Side& s = sides_[i];
+        const Side& r = i + 1 < sides_.size() ? sides_[i + 1] : Side{-1, -1, -1, -1, -1};
+        if (s.a != r.a || s.b != r.b || s.c != r.c) {
+            throw InternalError("tetrahedra of a cell were replaced by others of another hull");
+        }
+        if (s.tetrahedron >= 0) neighbours_[s.tetrahedron][s.k] = r.tetrahedron;
+        if (r.tetrahedron >= 0) neighbours_[r.tetrahedron][r.k] = s.tetrahedron;
+    }
+}
+
+void CellTetrahedra::take_out(std::span<const int> old, const HullChange& hull) {
+    sides_.clear();
+    collect_boundary(old, hull);
+    for (const int t : old) alive_[t] = 0;
+    free_.insert(free_.end(), old.begin(), old.end());
+}
+
+void CellTetrahedra::put_in(std::span<const FourCorners> fresh) {
+    fresh_.clear();
+    for (const FourCorners& corners : fresh) {
+        const int t = add(corners);
+        fresh_.push_back(t);
+        for (int k = 0; k < 4; ++k) sides_.push_back(side(triangle(t, k), t, k));
+    }
+    link_sides();
+}
+
+void CellTetrahedra::replace(std::span<const int> old, std::span<const FourCorners> fresh,
+                             const HullChange& hull) {
+    take_out(old, hull);
+    put_in(fresh);
+}
+
+void CellTetrahedra::restore(std::span<const int> old, std::span<const FourCorners> fresh,
+                             std::span<const int> numbers) {
+    take_out(old, {});
+    std::erase_if(free_, [&](int t) {
+        return std::find(numbers.begin(), numbers.end(), t) != numbers.end();
+    });
+    free_.insert(free_.end(), numbers.rbegin(), numbers.rend());
+    put_in(fresh);
+}
+
+int CellTetrahedra::add_vertex(const Vec3& at, double size) {
+    points_.push_back(at);
+    sizes_.push_back(size);
+    one_at_.push_back(-1);
+    return n_vertices() - 1;
+}
+
+void CellTetrahedra::drop_last_vertex() {
+    points_.pop_back();
+    sizes_.pop_back();
+    one_at_.pop_back();
+}
+
+void CellTetrahedra::update_quality(std::span<const int> tetrahedra) {
+    for (const int t : tetrahedra) quality_[t] = smallest_sine_of(corners_[t]);
+}
+
+}  // namespace pcvt::space

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesher/space/grains/cell_hull.hpp"
+#include "mesher/space/grains/tetrahedron_shape.hpp"
+
+namespace pcvt::space {
+
+using FourCorners = std::array<int, 4>;
+using ThreeCorners = std::array<int, 3>;
+
+/// Triangles of the hull that vanish with a replacement, and those that come in their place.
+struct HullChange {
+    std::vector<ThreeCorners> gone = {};
+    std::vector<ThreeCorners> come = {};
+};
+
+/// The tetrahedra inside of one cell, while they change. Vertices 0 ... n_hull() - 1 are the points
+/// of its hull, others lie inside. Numbers of tetrahedra are reused: those that are not alive have
+/// no meaning.
+///
+/// Example usage:
+///     CellTetrahedra cell(hull, *kernel_point(hull));
+///     for (int t = 0; t < cell.n_numbers(); ++t) {
+///         if (cell.is_alive(t)) use(cell.corners(t));
+///     }
+///
+/// Laws, tested by number:
+///   (1) Every tetrahedron is positively oriented, and they fill the hull once.
+///   (2) The triangles without a neighbour are those of the hull.
+///   (3) neighbour() is symmetric, across the same triangle.
+class CellTetrahedra {
+   public:
+    /// No tetrahedron.
+    CellTetrahedra() = default;
+    /// Joins each triangle of the hull with a point of the kernel.
+    CellTetrahedra(const CellHull& hull, const Vec3& centre);
+
+    int n_hull() const { return n_hull_; }
+    int n_vertices() const { return static_cast<int>(points_.size()); }
+    int n_numbers() const { return static_cast<int>(corners_.size()); }
+    bool is_alive(int t) const { return alive_[t] != 0; }
+    const FourCorners& corners(int t) const { return corners_[t]; }
+    /// The tetrahedron across the triangle opposite to corner k; -1 on the hull.
+    int neighbour(int t, int k) const { return neighbours_[t][k]; }
+    /// The smallest sine of the dihedral angles.
+    double quality(int t) const { return quality_[t]; }
+    double worst() const;
+    const Vec3& point(int v) const { return points_[v]; }
+    /// The target length of edges at a vertex, and at a point near to these vertices.
+    double size(int v) const { return sizes_[v]; }
+    /// Whether a vertex is a corner of a tetrahedron.
+    bool is_used(int v) const { return one_at_[v] >= 0; }
+    bool is_inner(int v) const { return v >= n_hull_; }
+    /// The triangle opposite to corner k, counter-clockwise seen from outside.
+    ThreeCorners triangle(int t, int k) const {
+        const FourCorners& c = corners_[t];
+        const std::array<int, 3>& order = kOutward[k];
+        return {c[order[0]], c[order[1]], c[order[2]]};
+    }
+    bool has_corner(int t, int v) const;
+    /// The index of a corner of a tetrahedron.
+    int index_of(int t, int v) const;
+    double quality_with(int t, int v, const Vec3& at) const;
+    Circumsphere circumsphere_of(int t) const;
+    Vec3 barycentre(int t) const;
+
+    /// Puts the tetrahedra with a corner v into `star`.
+    void find_star(int v, std::vector<int>& star) const;
+    /// Walks from a tetrahedron to the one that holds x; -1 if the walk leaves the hull.
+    int locate(const Vec3& x, int start) const;
+    /// A tetrahedron that is alive.
+    int any() const;
+
+    /// Replaces tetrahedra by others with the same boundary, except for `hull`.
+    /// @throws InternalError  the boundaries differ.
+    void replace(std::span<const int> old, std::span<const FourCorners> fresh,
+                 const HullChange& hull = {});
+    /// As replace(), and gives the fresh tetrahedra numbers that they had before.
+    void restore(std::span<const int> old, std::span<const FourCorners> fresh,
+                 std::span<const int> numbers);
+    /// The numbers of the tetrahedra that the last replace() added.
+    const std::vector<int>& fresh() const { return fresh_; }
+    int add_vertex(const Vec3& at, double size);
+    void set_size(int v, double size) { sizes_[v] = size; }
+    /// Takes back the last add_vertex(), if no tetrahedron has it as a corner.
+    void drop_last_vertex();
+    void forget_vertex(int v) { one_at_[v] = -1; }
+    void set_point(int v, const Vec3& at) { points_[v] = at; }
+    void update_quality(std::span<const int> tetrahedra);
+
+    /// A mark for each tetrahedron, 0 between calls.
+    std::vector<char>& marks() const { return marks_; }
+
+   private:
+    static constexpr std::array<std::array<int, 3>, 4> kOutward{
+        {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+    /// One side of a triangle while the tetrahedra of a replacement are linked.
+    struct Side {
+        int a, b, c;
+        int tetrahedron;
+        int k;
+    };
+    static Side side(const ThreeCorners& triangle, int t, int k);
+    int add(const FourCorners& corners);
+    void collect_boundary(std::span<const int> old, const HullChange& hull);
+    void take_out(std::span<const int> old, const HullChange& hull);
+    void put_in(std::span<const FourCorners> fresh);
+    void link_sides();
+    double smallest_sine_of(const FourCorners& c) const {
+        return smallest_sine(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]);
+    }
+
+    int n_hull_ = 0;
+    std::vector<Vec3> points_;
+    std::vector<double> sizes_;
+    /// One tetrahedron at each vertex.
+    std::vector<int> one_at_;
+    std::vector<FourCorners> corners_;
+    std::vector<FourCorners> neighbours_;
+    std::vector<double> quality_;
+    std::vector<char> alive_;
+    mutable std::vector<char> marks_;
+    std::vector<int> free_;
+    std::vector<int> fresh_;
+    std::vector<Side> sides_;
+};
+
+}  // namespace pcvt::space
