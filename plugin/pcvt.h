@@ -542,6 +542,8 @@ typedef struct pcvt_check_options {
     double density_range[2];         /**< of the image; 0, 0: pcvt chooses [0, 0] */
     pcvt_progress_callback progress; /**< [NULL] */
     void* progress_data;
+    const char* volumes; /**< FILE or FILE:COLUMN: cells in space have the volumes of this table,
+                            one row a site [NULL] */
 } pcvt_check_options;
 
 /** The options of pcvt_study(). pcvt_study_options_init() fills in the defaults of a study. */

@@ -52,18 +52,24 @@ void set_centroids(const pcvt_check_options& options, checks::Question& question
     };
 }
 
+void require_file(const std::string& word, const std::string& sizes) {
+    if (!names_area_law(sizes)) return;
+    throw InvalidInput(word + "s is a law, which draws other " + word +
+                       "s for each seed; give a file with one " + word + " a site");
+}
+
 checks::Question question_of(const pcvt_check_options& options) {
     checks::Question question;
     if (!are_zero(options.lattice, 4)) question.lattice = plane_lattice(options.lattice);
     question.tolerance = positive_or_none("tolerance", options.tolerance).value_or(0);
     set_centroids(options, question);
     if (options.areas != nullptr) {
-        if (names_area_law(options.areas)) {
-            throw InvalidInput(
-                "areas is a law, which draws other areas for each seed; give a file with one area "
-                "a site");
-        }
+        require_file("area", options.areas);
         question.areas = read_areas(area_table(options.areas));
+    }
+    if (options.volumes != nullptr) {
+        require_file("volume", options.volumes);
+        question.volumes = read_volumes(volume_table(options.volumes));
     }
     if (options.inclusions != nullptr) question.inclusions = read_inclusions(options.inclusions);
     return question;

@@ -28,6 +28,9 @@ inline constexpr std::size_t kOldestSize<pcvt_cells> = offsetof(pcvt_cells, phas
 template <>
 inline constexpr std::size_t kOldestSize<pcvt_write_options> = offsetof(pcvt_write_options,
                                                                         materials);
+template <>
+inline constexpr std::size_t kOldestSize<pcvt_check_options> = offsetof(pcvt_check_options,
+                                                                        volumes);
 
 /// @throws AbiMismatch unless `size` is a multiple of 8 from `oldest` to kLargestStruct.
 void check_struct_size(const char* name, std::size_t size, std::size_t oldest);

@@ -20,6 +20,7 @@
 #include "plugin/checks/inclusion_check.hpp"
 #include "plugin/checks/space_check.hpp"
 #include "plugin/checks/tolerance_check.hpp"
+#include "plugin/checks/volume_check.hpp"
 
 namespace pcvt::checks {
 namespace {
@@ -155,22 +156,28 @@ std::string orbits_text(const std::vector<int>& orbits) {
     return ", " + std::to_string(n) + " orbits agree";
 }
 
+/// Requires that a property is not to be proved of a file that cannot have it.
+void refuse_where(bool is_asked, const std::string& path, const char* fault) {
+    if (is_asked) throw UnusableFile(path + ": " + fault);
+}
+
+void refuse_volumes(const std::string& path, const Question& question) {
+    refuse_where(question.volumes.has_value(), path,
+                 "--volumes is for cells in space, and the file holds cells in the plane; take "
+                 "--areas");
+}
+
 /// The proof of an MPAS file as a line.
 std::string prove_grid(GridReader* read, const Format& format, const std::string& path,
                        const Question& question) {
-    if (question.cvt_tolerance) {
-        throw UnusableFile(path + ": --cvt is not for MPAS files; check a tile of the same run");
-    }
-    if (question.areas) {
-        throw UnusableFile(path + ": --areas is not for MPAS files, which have no power cells");
-    }
-    if (question.inclusions) {
-        throw UnusableFile(path +
-                           ": --inclusions is not for MPAS files; check a tile of the same run");
-    }
-    if (question.tolerance > 0) {
-        throw UnusableFile(path + ": --tolerance is not for MPAS files; leave it out");
-    }
+    refuse_where(question.cvt_tolerance.has_value(), path,
+                 "--cvt is not for MPAS files; check a tile of the same run");
+    refuse_where(question.areas.has_value(), path,
+                 "--areas is not for MPAS files, which have no power cells");
+    refuse_volumes(path, question);
+    refuse_where(question.inclusions.has_value(), path,
+                 "--inclusions is not for MPAS files; check a tile of the same run");
+    refuse_where(question.tolerance > 0, path, "--tolerance is not for MPAS files; leave it out");
     const std::vector<EncodedFile> files = read_files(format, path);
     const MpasGrid grid = read(files);
     if (question.lattice) {
@@ -210,33 +217,31 @@ std::string space_voxels_text(const std::string& path, const std::vector<Encoded
     if (question.lattice || question.areas) {
         throw BadFile(path +
                       ": holds voxels in space, which state their lattice and have no areas; leave "
-                      "the options out");
+                      "the options out, or take --volumes");
     }
     const VoxelProof proof = prove_voxel_file(files, file);
     const space::VoxelGrid& grid = file.space->image.grid;
     return std::to_string(grid.counts.x) + " x " + std::to_string(grid.counts.y) + " x " +
            std::to_string(grid.counts.z) + " voxels of " + std::to_string(proof.n_cells) +
            " cells, period " + figure(grid.size.x()) + " x " + figure(grid.size.y()) + " x " +
-           figure(grid.size.z()) + voxel_verdict(proof, file, file.space->cells.has_value());
+           figure(grid.size.z()) + voxel_verdict(proof, file, file.space->cells.has_value()) +
+           (question.volumes ? prove_voxel_volumes(path, *file.space, *question.volumes) : "");
 }
 
 /// The proof of a voxel image as a line.
 std::string prove_voxel_image(VoxelReader* read, const Format& format, const std::string& path,
                               const Question& question) {
-    if (question.cvt_tolerance) {
-        throw UnusableFile(path + ": --cvt is not for voxels; check a tile of the same run");
-    }
-    if (question.inclusions) {
-        throw UnusableFile(path + ": --inclusions is not for voxels; check a tile of the same run");
-    }
-    if (question.tolerance > 0) {
-        throw UnusableFile(path + ": --tolerance is not for voxels; leave it out");
-    }
+    refuse_where(question.cvt_tolerance.has_value(), path,
+                 "--cvt is not for voxels; check a tile of the same run");
+    refuse_where(question.inclusions.has_value(), path,
+                 "--inclusions is not for voxels; check a tile of the same run");
+    refuse_where(question.tolerance > 0, path, "--tolerance is not for voxels; leave it out");
     const std::vector<EncodedFile> files = read_files(format, path);
     const VoxelFile file = read(files);
     if (file.space) {
         return path + ": a voxel image: " + space_voxels_text(path, files, file, question) + "\n";
     }
+    refuse_volumes(path, question);
     const plane::VoxelGrid& grid = file.image.grid;
     if (question.lattice) {
         compare_lattice(plane::Lattice::rectangle(grid.size.x(), grid.size.y()), *question.lattice);
@@ -260,9 +265,9 @@ std::string prove_tile_in_space(const std::string& path, const std::vector<Encod
         throw UnusableFile(
             path +
             ": holds a tile in space, which states its lattice and is proved without further "
-            "options but --cvt and --tolerance; leave the others out");
+            "options but --cvt, --volumes and --tolerance; leave the others out");
     }
-    return prove_space_tile(path, files, question.cvt_tolerance, question.tolerance);
+    return prove_space_tile(path, files, question);
 }
 
 /// As prove_file().
@@ -297,6 +302,7 @@ std::string prove_one_tile(const Format& format, const std::string& path, const 
         content = space_content_text(*kind);
         return prove_tile_in_space(path, files, question);
     }
+    refuse_volumes(path, question);
     TileFile file = decode_tile(format, files, question.lattice);
     file.tolerance = question.tolerance;
     content = content_of(file.tile.walls);

@@ -21,6 +21,8 @@ struct Question {
     /// In units of h; `nullopt`: the Voronoi property is not checked.
     std::optional<double> cvt_tolerance = {};
     std::optional<AreaFile> areas = {};
+    /// For cells in space.
+    std::optional<AreaFile> volumes = {};
     /// The shapes inside or outside of which each cell must lie.
     std::optional<InclusionFile> inclusions = {};
     /// The tolerance of positions, length units; 0: the precision of each file.

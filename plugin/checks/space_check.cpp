@@ -7,6 +7,7 @@
 #include "mesher/base/law_violation.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "plugin/checks/tolerance_check.hpp"
+#include "plugin/checks/volume_check.hpp"
 
 namespace pcvt::checks {
 namespace {
@@ -21,12 +22,11 @@ std::string cvt_text(const std::string& path, const SpaceFileProof& proof, doubl
     return ", centroidal within " + figure(found) + " h (tolerance " + figure(tolerance) + " h)";
 }
 
-/// Requires that a question about cells is not asked of a file without them.
-void refuse_cvt(const std::string& path, const std::optional<double>& cvt_tolerance,
-                const char* found) {
-    if (!cvt_tolerance) return;
-    throw UnusableFile(path + ": --cvt needs cells, and the file holds " + found +
-                       "; check a .vtu");
+/// Requires that no property of cells is to be proved of a file without them.
+void require_no_cells(const std::string& path, const Question& question, const char* found) {
+    if (!question.cvt_tolerance && !question.volumes) return;
+    throw UnusableFile(path + (question.cvt_tolerance ? ": --cvt" : ": --volumes") +
+                       " needs cells, and the file holds " + found + "; check a .vtu");
 }
 
 /// Requires that no tolerance of positions is given for a file that does not need one.
@@ -81,9 +81,9 @@ std::string prove_triangles(const EncodedFile& file) {
 }
 
 std::string prove_cells(const std::string& path, const std::vector<EncodedFile>& files,
-                        const std::optional<double>& cvt_tolerance, double tolerance) {
-    const SpaceFileProof found =
-        proved_within(tolerance, [&](double within) { return prove_space_files(files, within); });
+                        const Question& question) {
+    const SpaceFileProof found = proved_within(
+        question.tolerance, [&](double within) { return prove_space_files(files, within); });
     const space::PolyhedralProof& proof = found.proof;
     std::string line = counted(proof.n_cells, "cell") + ", " + std::to_string(proof.n_faces) +
                        " faces, " + std::to_string(2 * proof.n_boundary_pairs) +
@@ -101,28 +101,28 @@ std::string prove_cells(const std::string& path, const std::vector<EncodedFile>&
                               counted(proof.n_cells, "site") + " within " +
                               figure(found.sites->from_bisector) + " h"
                         : ", no sites stored";
-    if (cvt_tolerance) line += cvt_text(path, found, *cvt_tolerance);
+    if (question.cvt_tolerance) line += cvt_text(path, found, *question.cvt_tolerance);
+    if (question.volumes) line += prove_cell_volumes(found, *question.volumes);
     return line;
 }
 
 /// The proof of files of one kind, without what they hold.
 std::string prove_kind(SpaceFileKind kind, const std::string& path,
-                       const std::vector<EncodedFile>& files,
-                       const std::optional<double>& cvt_tolerance, double tolerance) {
+                       const std::vector<EncodedFile>& files, const Question& question) {
     switch (kind) {
         case SpaceFileKind::kTetrahedra:
-            refuse_cvt(path, cvt_tolerance, "tetrahedra");
-            return prove_tetrahedral_tile(files.front(), tolerance);
+            require_no_cells(path, question, "tetrahedra");
+            return prove_tetrahedral_tile(files.front(), question.tolerance);
         case SpaceFileKind::kBoundary:
-            refuse_cvt(path, cvt_tolerance, "a boundary");
-            refuse_tolerance(path, tolerance, "a boundary");
+            require_no_cells(path, question, "a boundary");
+            refuse_tolerance(path, question.tolerance, "a boundary");
             return prove_boundary(files);
         case SpaceFileKind::kTriangles:
-            refuse_cvt(path, cvt_tolerance, "triangles in single precision");
-            refuse_tolerance(path, tolerance, "triangles in single precision");
+            require_no_cells(path, question, "triangles in single precision");
+            refuse_tolerance(path, question.tolerance, "triangles in single precision");
             return prove_triangles(files.front());
         default:
-            return prove_cells(path, files, cvt_tolerance, tolerance);
+            return prove_cells(path, files, question);
     }
 }
 
@@ -142,10 +142,10 @@ std::string space_content_text(SpaceFileKind kind) {
 }
 
 std::string prove_space_tile(const std::string& path, const std::vector<EncodedFile>& files,
-                             std::optional<double> cvt_tolerance, double tolerance) {
+                             const Question& question) {
     const SpaceFileKind kind = space_file_kind(files).value();
-    return path + ": " + space_content_text(kind) + ": " +
-           prove_kind(kind, path, files, cvt_tolerance, tolerance) + "\n";
+    return path + ": " + space_content_text(kind) + ": " + prove_kind(kind, path, files, question) +
+           "\n";
 }
 
 }  // namespace pcvt::checks

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/formats/formats.hpp"
+#include "plugin/checks/check_proof.hpp"
 
 namespace pcvt::checks {
 
@@ -17,16 +18,15 @@ std::string space_content_text(SpaceFileKind kind);
 /// triangles in single precision, which close.
 ///
 /// Example usage:
-///     if (space_file_kind(files)) return prove_space_tile("tile.vtu", files, std::nullopt);
+///     if (space_file_kind(files)) return prove_space_tile("tile.vtu", files, {});
 ///
-/// @param cvt_tolerance  each site must lie within this distance of the centroid of its cell, units
-///                       of h = (volume / n)^(1/3); `nullopt`: not examined.
-/// @param tolerance      of positions, length units; 0: 4 ulps of the largest coordinate.
+/// @param question  the volumes of the cells; cvt_tolerance, in units of h = (volume / n)^(1/3);
+///                  tolerance, 0: 4 ulps of the largest coordinate. Its other members are not used.
 /// @returns a line that states the proved properties.
 /// @pre space_file_kind(files) is not empty.
 /// @throws NotATile      where the files are refuted.
 /// @throws UnusableFile  where they cannot have the property; BadFile where they are wrong.
 std::string prove_space_tile(const std::string& path, const std::vector<EncodedFile>& files,
-                             std::optional<double> cvt_tolerance, double tolerance = 0);
+                             const Question& question);
 
 }  // namespace pcvt::checks

@@ -19,6 +19,7 @@ struct CheckOptions {
     std::string tolerance;
     std::string cvt;
     std::string areas;
+    std::string volumes;
     std::string inclusions;
     std::string density;
     std::string density_range;

@@ -214,8 +214,8 @@ void collect(const NamedRuns& part, std::uint64_t seed, RowsByRun& rows) {
 
 const std::vector<StudyRecipe>& study_recipes() {
     static const std::vector<StudyRecipe> kRecipes{
-        table1_recipe(), fig7_recipe(),  fig8_recipe(),     fig9_recipe(),    fig10_recipe(),
-        fig11_recipe(),  sizes_recipe(), symmetry_recipe(), gersho3d_recipe()};
+        table1_recipe(), fig7_recipe(),  fig8_recipe(),     fig9_recipe(),     fig10_recipe(),
+        fig11_recipe(),  sizes_recipe(), symmetry_recipe(), gersho3d_recipe(), sizes3d_recipe()};
     return kRecipes;
 }
 

@@ -79,7 +79,7 @@ struct StudyRecipe {
     StudyResult (*conclude)(const Study& study, const StudyTable& runs);
 };
 
-/// table1, fig7, ... fig11, sizes, symmetry, gersho3d.
+/// table1, fig7, ... fig11, sizes, symmetry, gersho3d, sizes3d.
 const std::vector<StudyRecipe>& study_recipes();
 
 /// @throws InvalidInput naming the known recipes.

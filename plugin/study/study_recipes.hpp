@@ -15,6 +15,7 @@ StudyRecipe fig11_recipe();
 StudyRecipe sizes_recipe();
 StudyRecipe symmetry_recipe();
 StudyRecipe gersho3d_recipe();
+StudyRecipe sizes3d_recipe();
 
 /// The paper's domain.
 plane::Lattice unit_square();

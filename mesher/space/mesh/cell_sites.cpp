@@ -54,12 +54,8 @@ class BisectorProof {
     void prove_face(int face, int across, const Vec3& other) {
         const int cell = mesh_.owner[face];
         const Vec3 site = sites_.col(cell);
-        const double distance = (other - site).norm();
-        const Vec3 direction = (other - site) / distance;
-        Vec3 middle = (site + other) / 2;
-        if (weights_.size() > 0) {
-            middle += (weights_[cell] - weights_[across]) / (2 * distance) * direction;
-        }
+        const auto [middle, direction, distance] =
+            plane_between(cell, across, other, sites_, weights_);
         for (const int v : mesh_.faces[face]) {
             const Vec3 from_middle = mesh_.points[v] - middle;
             const double off = std::abs(from_middle.dot(direction)) / spacing_;
@@ -119,6 +115,18 @@ Points sites_of_cells(const CellComplex& complex, const std::vector<Offset>& ima
     return sites;
 }
 
+SitePlane plane_between(int cell, int across, const Vec3& other, const Points& sites,
+                        const Eigen::VectorXd& weights) {
+    const Vec3 site = sites.col(cell);
+    const double distance = (other - site).norm();
+    const Vec3 direction = (other - site) / distance;
+    Vec3 middle = (site + other) / 2;
+    if (weights.size() > 0) {
+        middle += (weights[cell] - weights[across]) / (2 * distance) * direction;
+    }
+    return {middle, direction, distance};
+}
+
 CellSiteFigures prove_cell_sites(const PolyhedralMesh& mesh, const Points& sites,
                                  const Eigen::VectorXd& weights) {
     if (sites.cols() != mesh.n_cells) {
@@ -127,19 +135,9 @@ CellSiteFigures prove_cell_sites(const PolyhedralMesh& mesh, const Points& sites
     }
     const double spacing = portable_cbrt(mesh.lattice.volume() / mesh.n_cells);
     BisectorProof proof(mesh, sites, weights, spacing);
-    for (int f = 0; f < mesh.n_inner_faces(); ++f) {
-        checkpoint_each(f);
-        proof.prove_face(f, mesh.neighbour[f], sites.col(mesh.neighbour[f]));
-    }
-    for (const FiniteVolumePatch& patch : mesh.patches) {
-        // The neighbour across the seam is the partner's owner, back by the translation.
-        const int partner = mesh.patches[patch.partner].first_face;
-        for (int k = 0; k < patch.n_faces; ++k) {
-            checkpoint_each(k);
-            const int across = mesh.owner[partner + k];
-            proof.prove_face(patch.first_face + k, across, sites.col(across) - patch.separation);
-        }
-    }
+    for_each_side(mesh, sites, [&](int face, int across, const Vec3& other) {
+        proof.prove_face(face, across, other);
+    });
     return proof.figures();
 }
 

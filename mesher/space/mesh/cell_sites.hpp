@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesher/base/checkpoint.hpp"
 #include "mesher/space/mesh/polyhedral_mesh.hpp"
 
 namespace pcvt::space {
@@ -28,6 +29,48 @@ struct CellSiteFigures {
 /// Returns the image of the site of each cell of a tile whose cells are these images of those of a
 /// complex (chosen_images()): 3 x n, length units. A power cell may not contain its site.
 Points sites_of_cells(const CellComplex& complex, const std::vector<Offset>& images);
+
+/// The plane of equal power distance of two sites.
+struct SitePlane {
+    Vec3 point;
+    /// Of length 1, towards the second site.
+    Vec3 direction;
+    /// Of the two sites, length units.
+    double distance;
+
+    /// The distance of p from the plane, above 0 on the side of the second site.
+    double height(const Vec3& p) const { return (p - point).dot(direction); }
+};
+
+/// Returns the plane between the site of a cell and an image of that of another.
+/// @param other    the image of site `across`.
+/// @param weights  one a site, or empty.
+SitePlane plane_between(int cell, int across, const Vec3& other, const Points& sites,
+                        const Eigen::VectorXd& weights);
+
+/// Calls visit(face, across, other) for each inner face and each side of the seam: `across` is the
+/// cell on the other side of the face, and `other` the image of its site there.
+///
+/// Example usage:
+///     for_each_side(mesh, sites, [&](int face, int across, const Vec3& other) {
+///         const SitePlane plane = plane_between(mesh.owner[face], across, other, sites, weights);
+///     });
+template <class Visit>
+void for_each_side(const PolyhedralMesh& mesh, const Points& sites, const Visit& visit) {
+    for (int f = 0; f < mesh.n_inner_faces(); ++f) {
+        checkpoint_each(f);
+        visit(f, mesh.neighbour[f], sites.col(mesh.neighbour[f]));
+    }
+    for (const FiniteVolumePatch& patch : mesh.patches) {
+        // The neighbour across the seam is the partner's owner, back by the translation.
+        const int partner = mesh.patches[patch.partner].first_face;
+        for (int k = 0; k < patch.n_faces; ++k) {
+            checkpoint_each(k);
+            const int across = mesh.owner[partner + k];
+            visit(patch.first_face + k, across, Vec3(sites.col(across) - patch.separation));
+        }
+    }
+}
 
 /// Proves that the cells are the periodic Voronoi cells of the sites: each face lies in the plane
 /// halfway between the sites of its two cells, each of which lies on the side of its site. Cells

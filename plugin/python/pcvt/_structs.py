@@ -93,7 +93,8 @@ class WriteOptions(ctypes.Structure):
 class CheckOptions(ctypes.Structure):
     _fields_ = [("struct_size", c_size_t), ("lattice", c_double * 4), ("tolerance", c_double), ("cvt", c_double),
                 ("areas", c_char_p), ("inclusions", c_char_p), ("density", c_char_p),
-                ("density_range", c_double * 2), ("progress", ProgressCallback), ("progress_data", c_void_p)]
+                ("density_range", c_double * 2), ("progress", ProgressCallback), ("progress_data", c_void_p),
+                ("volumes", c_char_p)]
 
 
 class StudyOptions(ctypes.Structure):

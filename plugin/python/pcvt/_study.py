@@ -69,7 +69,7 @@ def study(name, sites=None, runs=None, seed=None, *, threads=0, path=None, repla
         study.runs["energy"][study.runs["n"] == 8].min()
         pcvt.study("fig9", path="results/")          # writes results/fig9.csv, .svg, .html, ...
 
-    name      table1, fig7, fig8, fig9, fig10, fig11, sizes, symmetry or gersho3d
+    name      table1, fig7, fig8, fig9, fig10, fig11, sizes, symmetry, gersho3d or sizes3d
     sites     a list of numbers of sites, or one; None: those of the paper, with which a study takes minutes to hours
     runs      random starts for each number of sites; None: as many as in the paper
     seed      run r starts from the random sites of seed + r; None: that of the paper

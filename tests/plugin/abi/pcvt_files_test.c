@@ -114,6 +114,12 @@ static void files_and_options_that_do_not_fit_are_refused(void) {
     options = properties();
     options.areas = "equal";
     CHECKED("pcvt_files_test.obj", &options, PCVT_ERROR_ARGUMENT, "areas is a law");
+    options = properties();
+    options.volumes = "0.5*equal@1+0.5*equal@2";
+    CHECKED("pcvt_files_test.obj", &options, PCVT_ERROR_ARGUMENT, "volumes is a law");
+    options.volumes = "pcvt_files_missing.txt";
+    CHECKED("pcvt_files_test.obj", &options, PCVT_ERROR_ARGUMENT, "pcvt_files_missing.txt: ");
+    options = properties();
     options.areas = "pcvt_files_missing.txt";
     CHECKED("pcvt_files_test.obj", &options, PCVT_ERROR_ARGUMENT, "pcvt_files_missing.txt: ");
     options = properties();

@@ -331,6 +331,7 @@ static void print_check_options(void) {
     FIELD(pcvt_check_options, density_range);
     FIELD(pcvt_check_options, progress);
     FIELD(pcvt_check_options, progress_data);
+    FIELD(pcvt_check_options, volumes);
 }
 
 static void print_study_options(void) {

@@ -80,6 +80,39 @@ class Volumes(CliTest):
                      "--voxels", "48,48,48")
         self.assertRegex(self.succeed("check", "t.vti"), "each voxel in the cell of its site")
 
+    def test_files_of_cells_have_their_volumes(self):
+        self.write("v.txt", "".join(f"{1 + 7 * k % 12}\n" for k in range(60)))
+        self.succeed("mesh", "--sites", 60, *CUBE, "--volumes", "v.txt", "-o", "t.vtu", "-o", "t.vti", "--cells", "t.csv")
+        for name in ("t.vtu", "t.vti"):
+            for table in ("v.txt", "t.csv:volume", "t.csv:diameter"):
+                line = self.succeed("check", name, "--volumes", table)
+                self.assertRegex(line, rf"volumes of 60 cells within \S+e-1\d of the mean of .* \(tolerance 1e-09\)")
+        volumes = self.path("v.txt").read_text().split()
+        self.write("w.txt", "\n".join((volumes[1], volumes[0], *volumes[2:])))
+        self.write("one.txt", "1\n" * 60)
+        self.succeed("mesh", "--sites", 60, *CUBE, "-o", "u.vtu", "-o", "u.foam", "-o", "u.obj", "-o", "u.glb", "--cells",
+                     "u.csv")
+        for name in ("t.vtu", "t.vti"):
+            self.refuse(2, rf"{name}: not a .*: law of the volumes: cell [01] has the volume", "check", name, "--volumes",
+                        "w.txt")
+        for name in ("u.vtu", "u.foam", "u.obj"):
+            self.assertIn("volumes of 60 cells within", self.succeed("check", name, "--volumes", "u.csv:volume"))
+            self.refuse(2, f"{name}: not a .*: law of the volumes", "check", name, "--volumes", "one.txt")
+
+    def test_questions_without_an_answer_are_refused(self):
+        self.write("one.txt", "1\n" * 9)
+        self.succeed("mesh", "--sites", 9, *CUBE, "-o", "u.glb", "-o", "u.vtu")
+        self.succeed("mesh", "--sites", 9, *CUBE, "--mesh", "delaunay", "-o", "u.msh")
+        self.succeed("mesh", "--sites", 9, "-o", "p.obj", "-o", "p.vti")
+        self.refuse(2, "u.glb: --volumes needs cells, and the file holds triangles", "check", "u.glb", "--volumes", "one.txt")
+        self.refuse(2, "u.msh: --volumes needs cells, and the file holds tetra", "check", "u.msh", "--volumes", "one.txt")
+        self.refuse(2, "--volumes of check takes a file", "check", "u.vtu", "--volumes", "0.5*equal@1+0.5*equal@2")
+        self.refuse(2, "u.vtu: .*--volumes", "check", "u.vtu", "--areas", "one.txt")
+        for name in ("p.obj", "p.vti"):
+            self.refuse(2, f"{name}: --volumes is for cells in space, .*--areas", "check", name, "--volumes", "one.txt")
+        self.write("two.txt", "1\n2\n")
+        self.refuse(2, "two.txt:2: the last of 2 volumes, but there are 9 sites", "check", "u.vtu", "--volumes", "two.txt")
+
     def test_wrong_volumes_are_refused(self):
         mesh = ("mesh", "--sites", 3, *CUBE, "--volumes")
         self.write("a.csv", "area\n1\n2\n3\n")

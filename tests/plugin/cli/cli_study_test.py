@@ -1,5 +1,6 @@
 """pcvt study: tables and pictures, shards and merging, refusals and cancelling."""
 
+import collections
 import csv
 import io
 import json
@@ -88,7 +89,8 @@ class Files(CliTest):
         self.assertIn(f"{float(last['energy']):.5g}"[:6], said)
 
     def test_the_command_in_a_table_makes_the_runs_of_the_table(self):
-        for study, n, options in (("gersho3d", 5, {}), ("symmetry", 48, {"GROUP": "p4m"}), ("fig11", 11, {}), ("fig10", 1000, {})):
+        for study, n, options in (("gersho3d", 5, {}), ("symmetry", 48, {"GROUP": "p4m"}), ("fig11", 11, {}), ("fig10", 1000, {}),
+                                  ("sizes", 60, {"LAW": "gamma:0.3"}), ("sizes3d", 60, {"LAW": "lognormal:0.35"})):
             self.succeed("study", study, "--sites", n, "--runs", 2, "--seed", 7, "-o", f"{study}.csv", "--quiet")
             head = self.path(f"{study}-runs.csv").read_text()
             command = re.search(r"^# run r starts from .*\(pcvt (.*)\)$", head, re.M)[1].split()
@@ -101,6 +103,16 @@ class Files(CliTest):
             if study == "gersho3d":
                 self.assertEqual((report["energy"], report["lattice"]),
                                  (float(row["energy"]), [[1, 0, 0], [0, 1, 0], [0, 0, 1]]))
+            if study.startswith("sizes"):
+                self.succeed(*(given.get(word, word) for word in command), "--cells", "c.csv", "--force", "--quiet")
+                diameters = [float(cell["diameter"]) for cell in self.table("c.csv")]
+                counts = collections.Counter(round(60 * d / sum(diameters) * 10) for d in diameters)
+                reached = {round(float(r["diameter"]) * 10): int(r["reached"]) for r in self.table(f"{study}-runs.csv")
+                           if (r["law"], r["run"]) == (options["LAW"], "1")}
+                self.assertEqual({k: n for k, n in reached.items() if n > 0}, dict(counts))
+            if study == "sizes3d":
+                row = next(r for r in self.table("sizes3d-runs.csv") if (r["law"], r["run"]) == (options["LAW"], "1"))
+                self.assertAlmostEqual(float(row["sphericity"]), report["volumes"]["sphericity_mean"], 4)
             if study == "symmetry":
                 rows = [r for r in self.table("symmetry-runs.csv") if (r["group"], r["sites_at"]) == ("p4m", "general")]
                 self.assertAlmostEqual(report["energy"] / report["energy_bound"], float(rows[-1]["energy/bound"]), 6)
@@ -113,7 +125,7 @@ class Files(CliTest):
         self.assertEqual(self.contents(), {})
 
     def test_every_study_runs_and_draws(self):
-        for name in ("fig7", "fig8", "fig9", "fig10", "sizes", "symmetry"):
+        for name in ("fig7", "fig8", "fig9", "fig10", "sizes", "sizes3d", "symmetry"):
             with self.subTest(name):
                 said = self.succeed("study", name, "--sites", "20,120", "--runs", 1, "-o",
                                     f"{name}.csv", "-o", f"{name}.svg")
@@ -133,6 +145,17 @@ class Files(CliTest):
             self.assertGreaterEqual(float(rows[n]["mean"]), best - 1e-6)
         self.assertIn("No result lies below the body-centred cubic lattice", self.path("t.csv").read_text())
         xml.etree.ElementTree.fromstring(self.path("t.svg").read_bytes())
+
+    def test_grains_in_space_are_as_round_as_grown_ones(self):
+        self.succeed("study", "sizes3d", "--sites", "1000", "--runs", 1, "-o", "t.csv", "--quiet")
+        rows = {row["law"]: row for row in self.table("t.csv")}
+        self.assertEqual(len(rows), 4)
+        for row in rows.values():
+            self.assertLessEqual(float(row["largest_error"]), 1e-10)
+            self.assertEqual(float(row["largest_difference"]), 0)
+        self.assertAlmostEqual(1 - float(rows["lognormal:0.35"]["sphericity"]), 0.144, delta=0.006)
+        self.assertAlmostEqual(float(rows["lognormal:0.35"]["spread_wanted"]), 0.35, delta=0.03)
+        self.assertGreater(float(rows["equal"]["sphericity"]), float(rows["gamma:0.42"]["sphericity"]))
 
     def test_quiet_says_nothing(self):
         self.assertEqual(self.succeed("study", *SMALL, "--quiet"), "")

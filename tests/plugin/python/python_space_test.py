@@ -309,6 +309,10 @@ class Materials(CliTest):
         self.assertAlmostEqual(given.weights.sum(), 0, delta=1e-12)
         given.write(self.path("t.vtu"))
         self.assertIn("power cells of 20 sites", self.succeed("check", "t.vtu"))
+        np.savetxt(self.path("v.txt"), wanted)
+        np.savetxt(self.path("w.txt"), wanted[::-1])
+        self.assertIn("volumes of 20 cells within", str(pcvt.check(self.path("t.vtu"), volumes=self.path("v.txt"))))
+        self.assertFalse(pcvt.check(self.path("t.vtu"), volumes=self.path("w.txt")))
         with self.assertRaisesRegex(pcvt.ArgumentError, "n_volumes is not n_sites; give one volume for each site"):
             pcvt.mesh(4, period=(1, 1, 1), volumes=[1, 2, 3])
         with self.assertRaisesRegex(pcvt.ArgumentError, "volumes is for three dimensions"):

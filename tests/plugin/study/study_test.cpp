@@ -254,14 +254,17 @@ TEST(Study, NumbersThatNoRunHasAreRefused) {
 }
 
 TEST(Study, SizesOfADamagedTableAreRefused) {
-    const Study study{"sizes", {5}, 2, 0};
-    const StudyTable runs = all_runs(study);
-    EXPECT_NO_THROW(conclude_study(study, runs));
-    for (const char* column : {"wanted", "reached"}) {
-        for (const char* count : {"0", "-1", "1e300"}) {
-            StudyTable damaged = runs;
-            for (StudyRow& row : damaged.rows) row[damaged.column(column)] = count;
-            EXPECT_THROW(conclude_study(study, damaged), InvalidInput) << column << " " << count;
+    for (const char* const name : {"sizes", "sizes3d"}) {
+        const Study study{name, {5}, 2, 0};
+        const StudyTable runs = all_runs(study);
+        EXPECT_NO_THROW(conclude_study(study, runs));
+        for (const char* column : {"wanted", "reached"}) {
+            for (const char* count : {"0", "-1", "1e300"}) {
+                StudyTable damaged = runs;
+                for (StudyRow& row : damaged.rows) row[damaged.column(column)] = count;
+                EXPECT_THROW(conclude_study(study, damaged), InvalidInput)
+                    << column << " " << count;
+            }
         }
     }
 }
