@@ -242,7 +242,7 @@ typedef struct pcvt_options {
                              `areas` [NULL] */
     double aspect; /**< the length of the cells along aspect_degrees over their width, 0.01 to
                       100 [1] */
-    double aspect_degrees; /**< from x [0] */
+    double aspect_degrees; /**< from x, in two dimensions; see aspect_axis for three [0] */
     const char* phases; /**< "NAME:FRACTION,NAME:FRACTION,...": each cell gets a phase; fractions of
                            the area, sum 1, spread evenly, drawn from `seed` [NULL] */
     const double* orientations;  /**< n_orientations triples phi1, Phi, phi2, Bunge's angles in
@@ -305,6 +305,9 @@ typedef struct pcvt_options {
                                area_law, in place of `volumes`; NULL: none */
     int32_t n_volumes;      /**< n_sites, or 0 where `volumes` is NULL [0] */
     int32_t reserved6;
+
+    double aspect_axis[3]; /**< in three dimensions: the axis along which the cells are `aspect`
+                              times as long as across it; all 0: x [0, 0, 0] */
 } pcvt_options;
 
 /** The optimised sites. */

@@ -141,6 +141,10 @@ void add_files(const std::string& path, const SpaceRequest& run, std::vector<Out
         throw InvalidInput(path + ": such files cannot state the weights of power cells; take " +
                            weight_extensions());
     }
+    if (run.has_metric && !format.space->takes_metric(run.mesh)) {
+        throw InvalidInput(path + ": such files cannot state the aspect of elongated cells; take " +
+                           weight_extensions());
+    }
     if (format.is_single_precision) naming_path(path, [&] { require_precision(run); });
     if (format.space->takes.voxels) {
         naming_path(path,

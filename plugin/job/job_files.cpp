@@ -16,7 +16,8 @@ namespace {
 OutputRequest output_request(const Job& job) {
     if (job.is_in_space()) {
         return SpaceRequest{job.in_space().lattice, job.meshes.front(), job.tile.short_edges,
-                            job.n_wanted(),         job.has_weights(),  job.file_options.voxels};
+                            job.n_wanted(),         job.has_weights(),  job.aspect.has_value(),
+                            job.file_options.voxels};
     }
     return RunRequest{.content = format_request(job),
                       .meshes = job.meshes,

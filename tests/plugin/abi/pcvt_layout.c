@@ -165,6 +165,7 @@ static void print_options(void) {
     FIELD(pcvt_options, volume_law);
     FIELD(pcvt_options, n_volumes);
     FIELD(pcvt_options, reserved6);
+    FIELD(pcvt_options, aspect_axis);
 }
 
 static void print_sites(void) {
