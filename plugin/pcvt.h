@@ -243,7 +243,7 @@ typedef struct pcvt_options {
                              their mean diameter in any unit; excludes `areas` [NULL] */
     double aspect; /**< the length of the cells along aspect_degrees over their width, 0.01 to
                       100 [1] */
-    double aspect_degrees; /**< from x [0] */
+    double aspect_degrees; /**< from x, in two dimensions; see aspect_axis for three [0] */
     const char* phases; /**< "NAME:FRACTION,NAME:FRACTION,...": each cell gets a phase; fractions of
                            the area, sum 1, spread evenly, drawn from `seed` [NULL] */
     const double* orientations;  /**< n_orientations triples phi1, Phi, phi2, Bunge's angles in
@@ -311,6 +311,8 @@ typedef struct pcvt_options {
 
     const double* orientation_weights; /**< n_orientations numbers from 0 on, not all 0, by which
                                           `orientations` are drawn [NULL] */
+    double aspect_axis[3]; /**< in three dimensions: the axis along which the cells are `aspect`
+                              times as long as across it; all 0: x [0, 0, 0] */
 } pcvt_options;
 
 /** The optimised sites. */

@@ -146,6 +146,10 @@ void add_files(const std::string& path, const SpaceRequest& run, Meshes meshes,
         throw InvalidInput(path + ": such files cannot state the weights of power cells; take " +
                            weight_extensions());
     }
+    if (run.has_metric && !format.space->takes_metric(mesh)) {
+        throw InvalidInput(path + ": such files cannot state the aspect of elongated cells; take " +
+                           weight_extensions());
+    }
     if (format.space->takes.voxels) {
         naming_path(path,
                     [&] { requested_voxels(run.lattice, std::max(run.n_sites, 1), run.voxels); });

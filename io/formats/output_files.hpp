@@ -42,6 +42,8 @@ struct SpaceRequest {
     int n_sites = 0;
     /// Whether the cells are power cells.
     bool has_weights = false;
+    /// Whether the cells are those of a metric.
+    bool has_metric = false;
     /// As FileOptions::voxels.
     VoxelCounts voxels = {};
 };

@@ -100,8 +100,8 @@ bool holds_same_cells(const std::vector<EncodedFile>& files, const SpaceTile& ti
     const bool states_materials = format != nullptr && format->space->states_materials;
     const CellMaterials stated = states_materials ? tile.materials : CellMaterials();
     return found.materials == stated && found.weights == tile.weights &&
-           found.mesh.points == tile.mesh.points && found.sites == tile.sites &&
-           found.mesh.point_orbit == tile.mesh.point_orbit &&
+           found.mesh.metric == tile.mesh.metric && found.mesh.points == tile.mesh.points &&
+           found.sites == tile.sites && found.mesh.point_orbit == tile.mesh.point_orbit &&
            found.mesh.point_offset == tile.mesh.point_offset;
 }
 

@@ -63,7 +63,8 @@ struct SpaceFormat {
                                const space::TetrahedralMesh& mesh) = nullptr;
     /// Whether its cells state SpaceTile::materials.
     bool states_materials = false;
-    /// Whether its cells state SpaceTile::weights, without which power cells are not proved.
+    /// Whether its cells state SpaceTile::weights and PolyhedralMesh::metric, without which power
+    /// cells and elongated cells are not proved.
     bool states_weights = false;
     /// Whether its cells state PolyhedralMesh::short_edges, without which no tile is proved that
     /// lost edges.
@@ -86,6 +87,11 @@ struct SpaceFormat {
     bool takes_weights(plane::MeshKind mesh) const {
         if (shows_tetrahedra(mesh)) return false;
         return states_weights || encode == nullptr || is_picture();
+    }
+    /// Whether it takes elongated cells: tetrahedra, or as power cells, because the same formats
+    /// state weights and PolyhedralMesh::metric.
+    bool takes_metric(plane::MeshKind mesh) const {
+        return shows_tetrahedra(mesh) || takes_weights(mesh);
     }
     bool shows_boundary(SurfaceForm chosen) const {
         return surfaces == FormatSurfaces::kBoundary ||

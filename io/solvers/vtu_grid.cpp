@@ -106,6 +106,11 @@ VtuGrid vtu_grid(const SpaceTile& tile) {
     if (tile.mesh.short_edges > 0) {
         grid.field_data.push_back({"Float64", "ShortEdges", std::vector{tile.mesh.short_edges}});
     }
+    if (const space::Metric& metric = tile.mesh.metric; !metric.is_round()) {
+        const space::Vec3& axis = metric.axis();
+        std::vector<double> numbers{metric.ratio(), axis.x(), axis.y(), axis.z()};
+        grid.field_data.push_back({"Float64", "Metric", std::move(numbers), 1, 4});
+    }
     std::vector<int> n_faces;
     for (int s = 0; s < cells.n_cells(); ++s) {
         checkpoint_each(s);

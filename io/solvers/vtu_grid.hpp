@@ -50,9 +50,9 @@ struct VtuData {
 ///   FieldData  `PeriodicLattice`, the period vectors; where the tile has its sites, `Periods`,
 ///              the numbers of periods along both, and `SitePositions`; `ShortEdges`, the length
 ///              below which edges of cells were removed, in units of h; for elongated cells
-///              `Metric`, ratio and degrees, for power cells `SiteWeights`
-///              (io/forms/site_notes.hpp); with phases `PhaseNames` and `SitePhases`, that of each
-///              site; with holes `HoleNames` and `HoleEdges` (hole, v0, v1).
+///              `Metric`, ratio and degrees, in space the ratio and the axis, for power cells
+///              `SiteWeights` (io/forms/site_notes.hpp); with phases `PhaseNames` and `SitePhases`,
+///              that of each site; with holes `HoleNames` and `HoleEdges` (hole, v0, v1).
 ///
 /// Example usage:
 ///     for (const EncodedFile& file : encode_vtu(vtu_grid(tile), "tile.vtu")) {

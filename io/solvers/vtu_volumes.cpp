@@ -41,6 +41,17 @@ double read_short_edges(const VtuArrays& arrays) {
     return length;
 }
 
+/// Returns PolyhedralMesh::metric, which a file of round cells does not state.
+space::Metric read_metric(const VtuArrays& arrays) {
+    if (arrays.find("FieldData/Metric") == nullptr) return {};
+    const VtuArray& array = arrays.get("FieldData/Metric", 4, 1, false);
+    try {
+        return {array.values[0], {array.values[1], array.values[2], array.values[3]}};
+    } catch (const InvalidInput& fault) {
+        arrays.scanner().throw_bad_file(array.line, fault.what());
+    }
+}
+
 std::vector<space::Vec3> read_points(const VtuArrays& arrays) {
     const VtuArray& array = arrays.get("Points/Points", arrays.n_points(), 3, false);
     if (array.type != "Float64") {
@@ -116,6 +127,7 @@ class VtuPolyhedra {
         compare_points(cells);
         SpaceTile tile{.mesh = assembled(cells, tolerance)};
         tile.mesh.short_edges = read_short_edges(arrays_);
+        tile.mesh.metric = read_metric(arrays_);
         StatedImages(arrays_).compare(tile.mesh.point_orbit, tile.mesh.point_offset);
         compare_cells(tile.mesh, cells);
         if (arrays_.find("CellData/Site") != nullptr) {

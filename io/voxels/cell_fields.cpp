@@ -18,7 +18,7 @@ struct FieldForm {
     int width_in_space;
 };
 constexpr std::array<FieldForm, 4> kForms{
-    {{"PeriodicLattice", 2, 3}, {"SitePositions", 2, 3}, {"SiteWeights", 1, 1}, {"Metric", 2, 2}}};
+    {{"PeriodicLattice", 2, 3}, {"SitePositions", 2, 3}, {"SiteWeights", 1, 1}, {"Metric", 2, 4}}};
 
 constexpr const char* kRemedy = "write the file again with pcvt";
 
@@ -109,8 +109,8 @@ CellFields::Numbers CellFields::all_numbers(const std::string& file, std::size_t
 
 space::VoxelCells CellFields::cells_in_space(const std::string& file) const {
     const auto [lattice, sites, weights, metric] = all_numbers(file, 3);
-    if (!metric.empty()) {
-        refuse(file, "Metric", "cells in space have no metric of two numbers; remove it");
+    if (!metric.empty() && metric.size() != 4) {
+        refuse(file, "Metric", "the metric has not a ratio and an axis; correct it");
     }
     const auto n = static_cast<Eigen::Index>(sites.size() / 3);
     try {
@@ -122,8 +122,11 @@ space::VoxelCells CellFields::cells_in_space(const std::string& file) const {
         const space::Sites checked(periods, points);
         return {.lattice = periods,
                 .sites = points,
-                .weights = Eigen::Map<const Eigen::VectorXd>(weights.data(),
-                                                             Eigen::Index(weights.size()))};
+                .weights =
+                    Eigen::Map<const Eigen::VectorXd>(weights.data(), Eigen::Index(weights.size())),
+                .metric = metric.empty()
+                              ? space::Metric()
+                              : space::Metric(metric[0], {metric[1], metric[2], metric[3]})};
     } catch (const InvalidInput& fault) {
         refuse(file, "SitePositions", fault.what());
     }

@@ -14,7 +14,7 @@ namespace pcvt {
 
 /// The arrays of the field data of a voxel image that hold the sites of its cells:
 /// PeriodicLattice and SitePositions, with two or three numbers a tuple, and where they differ from
-/// the default, SiteWeights and, in the plane, Metric.
+/// the default, SiteWeights and Metric.
 ///
 /// Example usage:
 ///     CellFields fields;

@@ -96,6 +96,10 @@ void append_cells(std::string& text, const space::VoxelCells& cells) {
     append_array(text, "PeriodicLattice", 3, lattice);
     append_array(text, "SitePositions", 3, all_of(cells.sites));
     if (cells.weights.size() > 0) append_array(text, "SiteWeights", 1, all_of(cells.weights));
+    if (!cells.metric.is_round()) {
+        const space::Vec3& axis = cells.metric.axis();
+        append_array(text, "Metric", 4, {cells.metric.ratio(), axis.x(), axis.y(), axis.z()});
+    }
 }
 
 /// The place of the voxels of an image, as the tag of an image states it.

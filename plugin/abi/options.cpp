@@ -129,8 +129,12 @@ std::optional<TargetSizes> target_sizes(const std::string& given, const std::str
 std::optional<Aspect> aspect(const pcvt_options& options) {
     const double values[] = {options.aspect, options.aspect_degrees};
     require_finite("aspect or aspect_degrees", values, 2);
+    require_finite("aspect_axis", options.aspect_axis, 3);
     if (options.aspect == 1) return std::nullopt;
-    return Aspect{.ratio = options.aspect, .degrees = options.aspect_degrees};
+    Aspect aspect{.ratio = options.aspect, .degrees = options.aspect_degrees};
+    const Eigen::Map<const space::Vec3> axis(options.aspect_axis);
+    if (axis != space::Vec3::Zero()) aspect.axis = axis;
+    return aspect;
 }
 
 std::optional<GivenWeights> given_weights(const pcvt_options& options) {

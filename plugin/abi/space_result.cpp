@@ -71,8 +71,8 @@ const ProvedSpaceTile& SpaceResult::tile() const {
 const CellArrays& SpaceResult::arrays() const {
     const space::PolyhedralMesh& mesh = tile().tile.mesh;
     return arrays_.get([&] {
-        return cell_arrays(
-            mesh, wrapped_positions(computed().cells.delaunay.sites, job().in_space().origin));
+        return cell_arrays(mesh,
+                           wrapped_positions(computed().cells.sites(), job().in_space().origin));
     });
 }
 

@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "io/run_files/site_reader.hpp"
 #include "io/run_files/weight_reader.hpp"
 #include "mesher/cells/target_areas.hpp"
+#include "mesher/space/geometry/metric.hpp"
 #include "plugin/cli/help_command.hpp"
 #include "plugin/cli/options/option_values.hpp"
 #include "plugin/job/job_density.hpp"
@@ -66,13 +68,29 @@ TargetSizes target_sizes(const std::string& option, const std::string& text) {
     return {.name = text};
 }
 
-/// "R" or "R,DEGREES".
-Aspect read_aspect(const std::string& text) {
-    const bool has_angle = text.find(',') != std::string::npos;
-    const plane::Vec2 values = point("--aspect", has_angle ? text : text + ",0");
-    const Aspect aspect{.ratio = values.x(), .degrees = values.y()};
+/// "R" or "R,DEGREES", in space "R" or "R,X,Y,Z".
+Aspect read_aspect(const std::string& text, bool in_space) {
+    const std::size_t comma = text.find(',');
+    const bool is_ratio = comma == std::string::npos;
+    Aspect aspect;
+    if (in_space) {
+        if (const auto n = std::count(text.begin(), text.end(), ','); n != 0 && n != 3) {
+            throw InvalidInput("--aspect " + text +
+                               ": in space the three numbers of an axis follow the ratio; give R "
+                               "or R,X,Y,Z");
+        }
+        aspect.ratio = point("--aspect", text.substr(0, comma) + ",0").x();
+        if (!is_ratio) aspect.axis = space_point("--aspect", text.substr(comma + 1));
+    } else {
+        const plane::Vec2 values = point("--aspect", is_ratio ? text + ",0" : text);
+        aspect = {.ratio = values.x(), .degrees = values.y()};
+    }
     try {
-        plane::Metric(aspect.ratio, aspect.degrees);
+        if (in_space) {
+            space::Metric(aspect.ratio, aspect.axis);
+        } else {
+            plane::Metric(aspect.ratio, aspect.degrees);
+        }
     } catch (const InvalidInput& error) {
         throw InvalidInput("--aspect " + text + ": " + error.what());
     }
@@ -113,7 +131,7 @@ void add_cell_options(CLI::App& app, CellOptions& options, Job& job) {
         "--max-iterations 0; a column weight of --input counts as well");
     add("--aspect", options.aspect, "R[,DEGREES]",
         "elongated cells, R times as long along DEGREES from x as across\n"
-        "it, from 0.01 to 100 [1,0]");
+        "it, from 0.01 to 100 [1,0]; in space R,X,Y,Z: along that axis [1,1,0,0]");
     add("--walls", options.walls, "x|y|xy",
         "straight walls in place of periods: x at x = 0 and W, y at y = 0\n"
         "and H, xy all round");
@@ -138,7 +156,7 @@ void add_cell_options(CLI::App& app, CellOptions& options, Job& job) {
 }
 
 void read_cell_options(const CLI::App& app, const CellOptions& options, Job& job) {
-    if (app.count("--aspect") > 0) job.aspect = read_aspect(options.aspect);
+    if (app.count("--aspect") > 0) job.aspect = read_aspect(options.aspect, job.is_in_space());
     if (app.count("--areas") > 0) {
         job.sizes = target_sizes("--areas", options.areas);
         if (!names_area_law(options.areas)) job.inputs.push_back(area_table(options.areas).path);

@@ -244,8 +244,12 @@ std::string seed_text(const Job& job, const RunSummary& summary) {
 std::string constraint_lines(const Job& job, const RunSummary& summary) {
     std::string text;
     if (job.aspect) {
-        text += summary_line("aspect", figure(job.aspect->ratio) + " along " +
-                                           figure(job.aspect->degrees) + " degrees");
+        const space::Vec3& axis = job.aspect->axis;
+        text += summary_line(
+            "aspect", figure(job.aspect->ratio) + " along " +
+                          (job.is_in_space()
+                               ? figure(axis.x()) + "," + figure(axis.y()) + "," + figure(axis.z())
+                               : figure(job.aspect->degrees) + " degrees"));
     }
     if (job.symmetry) {
         text += summary_line("symmetry", std::string(plane_group_row(*job.symmetry).word) + ", " +

@@ -74,6 +74,8 @@ constexpr std::array kContradictions{
                   "them out"},
     Contradiction{FeatureSet{F::kWeights}, FeatureSet{F::kShortEdgesInSpace}, kNone,
                   "--short-edges does not work with --weights in space; leave one of them out"},
+    Contradiction{FeatureSet{F::kAspect}, FeatureSet{F::kShortEdgesInSpace}, kNone,
+                  "--short-edges does not work with --aspect in space; leave one of them out"},
     Contradiction{FeatureSet{F::kSymmetry}, FeatureSet{F::kGivenSites}, kNone,
                   "--symmetry draws its sites; leave the given sites out, or --symmetry"},
     Contradiction{FeatureSet{F::kSymmetry}, FeatureSet{F::kStartWithEqualCells}, kNone,

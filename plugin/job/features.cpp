@@ -86,8 +86,12 @@ constexpr std::array kFeatures{
                .is_chosen = [](const Job& job) { return job.weights.has_value(); }},
     FeatureRow{.feature = F::kAspect,
                .option = "--aspect",
-               .fields = "aspect aspect_degrees",
+               .fields = "aspect",
+               .in_space = true,
                .is_chosen = [](const Job& job) { return job.aspect.has_value(); }},
+    FeatureRow{.feature = F::kPlaneAspect, .fields = "aspect_degrees"},
+    FeatureRow{
+        .feature = F::kSpaceAspect, .fields = "aspect_axis", .in_plane = false, .in_space = true},
     FeatureRow{.feature = F::kHasWalls,
                .option = "--walls",
                .fields = "walls",

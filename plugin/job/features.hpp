@@ -33,6 +33,8 @@ enum class Feature : std::uint8_t {
     kVolumes,
     kWeights,
     kAspect,
+    kPlaneAspect,
+    kSpaceAspect,
     kHasWalls,
     kHalfCells,
     kFixed,

@@ -48,10 +48,13 @@ struct GivenWeights {
     std::string name;
 };
 
-/// Elongated cells: as Metric.
+/// Elongated cells: as plane::Metric, in space as space::Metric.
 struct Aspect {
     double ratio = 1;
+    /// In the plane.
     double degrees = 0;
+    /// In space.
+    space::Vec3 axis = space::Vec3::UnitX();
 };
 
 /// The largest Job::short_edges: an edge of a regular hexagon has 0.62 h.

@@ -121,7 +121,11 @@ void check_short_edges(const Job& job) {
 void check_aspect(const Job& job) {
     if (!job.aspect) return;
     try {
-        reduce(metric_of(job).to_round(job.in_plane().lattice));
+        if (job.is_in_space()) {
+            reduce(space_metric_of(job).to_round(job.in_space().lattice));
+        } else {
+            reduce(metric_of(job).to_round(job.in_plane().lattice));
+        }
     } catch (const InvalidInput& error) {
         throw InvalidInput(std::string("elongated by the aspect: ") + error.what());
     }
@@ -196,6 +200,7 @@ void check_constraints(const Job& job) {
 
 /// Checks what follows from the options of a job in space.
 void check_space(const Job& job) {
+    check_aspect(job);
     check_stability(job);
     check_short_edges(job);
     check_origin(job.in_space(), job.n_wanted());

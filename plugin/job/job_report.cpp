@@ -259,7 +259,12 @@ void append_choices(JsonWriter& json, const Job& job, const RunSummary& summary)
     if (job.aspect) {
         json.object("aspect", [&] {
             json.member("ratio", job.aspect->ratio);
-            json.member("degrees", job.aspect->degrees);
+            if (job.is_in_space()) {
+                json.member("axis",
+                            std::vector<double>(job.aspect->axis.begin(), job.aspect->axis.end()));
+            } else {
+                json.member("degrees", job.aspect->degrees);
+            }
         });
     }
     if (job.symmetry) {

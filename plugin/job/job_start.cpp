@@ -193,14 +193,15 @@ CoincidenceDomain<plane::Points, Eigen::Matrix2d> coincidence_domain(const Job& 
             std::sqrt(metric.to_round(domain.lattice).area() / n_sites)};
 }
 
-CoincidenceDomain<space::Points, Eigen::Matrix3d> coincidence_domain(const Job& /*job*/,
+CoincidenceDomain<space::Points, Eigen::Matrix3d> coincidence_domain(const Job& job,
                                                                      const SpaceDomain& domain,
                                                                      const space::Points& given,
                                                                      double n_sites) {
-    const space::Lattice reduced = reduce(domain.lattice).reduced;
+    const space::Metric metric = space_metric_of(job);
+    const space::Lattice reduced = reduce(metric.to_round(domain.lattice)).reduced;
     Eigen::Matrix3d periods;
     periods << reduced.a(), reduced.b(), reduced.c();
-    return {domain_coordinates(reduced, given), periods,
+    return {domain_coordinates(reduced, metric.to_round(given)), periods,
             domain.lattice.spacing(static_cast<int>(n_sites))};
 }
 
@@ -250,8 +251,9 @@ void settle_duplicates(Job& job) {
     const bool are_distinct =
         std::visit([&](auto& domain) { return settle(job, domain); }, job.domain);
     if (!are_distinct || !job.is_in_space()) return;
-    job.n_tetrahedra =
-        space::expected_tetrahedra(space::Sites(job.in_space().lattice, job.in_space().points));
+    const space::Metric metric = space_metric_of(job);
+    job.n_tetrahedra = space::expected_tetrahedra(space::Sites(
+        metric.to_round(job.in_space().lattice), metric.to_round(job.in_space().points)));
 }
 
 std::span<const StartRow> start_rows() { return kStarts; }

@@ -75,12 +75,23 @@ plane::Metric metric_of(const Job& job) {
     return job.aspect ? plane::Metric(job.aspect->ratio, job.aspect->degrees) : plane::Metric();
 }
 
+space::Metric space_metric_of(const Job& job) {
+    return job.aspect ? space::Metric(job.aspect->ratio, job.aspect->axis) : space::Metric();
+}
+
 Job in_round_space(const Job& job, const plane::Metric& metric) {
     Job round = job;
     round.in_plane().lattice = metric.to_round(job.in_plane().lattice);
     round.in_plane().points = metric.to_round(job.in_plane().points);
     round.in_plane().fixed = metric.to_round(job.in_plane().fixed);
     if (job.density) round.density = fixed_to_lattice(*job.density, job.in_plane().lattice);
+    return round;
+}
+
+Job in_round_space(const Job& job, const space::Metric& metric) {
+    Job round = job;
+    round.in_space().lattice = metric.to_round(job.in_space().lattice);
+    round.in_space().points = metric.to_round(job.in_space().points);
     return round;
 }
 

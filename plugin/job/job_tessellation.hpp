@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/space/geometry/metric.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_start.hpp"
 
@@ -15,10 +16,12 @@ namespace pcvt {
 plane::Tessellation tessellate(const Job& job, JobStart& start, JobMonitor& monitor,
                                const std::function<void()>& built);
 
-/// The metric of the job's aspect.
+/// The metric of the job's aspect, of a job in the plane and in space.
 plane::Metric metric_of(const Job& job);
+space::Metric space_metric_of(const Job& job);
 /// The job with its lattice, sites and density mapped to the round space of a metric.
 Job in_round_space(const Job& job, const plane::Metric& metric);
+Job in_round_space(const Job& job, const space::Metric& metric);
 
 /// The file of the inclusions, or "fibres".
 /// @pre the job has inclusions.

@@ -19,6 +19,7 @@
 #include "mesher/space/search/lattice_stability.hpp"
 #include "mesher/space/voxels/voxel_image.hpp"
 #include "plugin/job/job_start.hpp"
+#include "plugin/job/job_tessellation.hpp"
 
 namespace pcvt {
 namespace {
@@ -112,7 +113,7 @@ std::string flat_in_words(const space::TetrahedralMesh& mesh, const std::vector<
 }
 
 /// The tetrahedra, if a file holds them.
-std::optional<space::TetrahedralMesh> build_tetrahedra(const space::PeriodicDelaunay& delaunay,
+std::optional<space::TetrahedralMesh> build_tetrahedra(const space::Tessellation& cells,
                                                        const Job& job,
                                                        const std::vector<JobFile>& files,
                                                        JobMonitor& monitor) {
@@ -121,7 +122,11 @@ std::optional<space::TetrahedralMesh> build_tetrahedra(const space::PeriodicDela
     });
     if (file == files.end()) return {};
     monitor.begin(Phase::kBuilding, "building the tetrahedra");
-    space::TetrahedralMesh mesh = tetrahedral_mesh(delaunay, job.in_space().origin);
+    const space::PeriodicDelaunay& delaunay = cells.delaunay;
+    const space::Vec3& origin = job.in_space().origin;
+    space::TetrahedralMesh mesh =
+        cells.elongation ? space::tetrahedral_mesh({cells.sites(), delaunay.tetrahedra}, origin)
+                         : tetrahedral_mesh(delaunay, origin);
     const std::vector<int> flat = flat_tetrahedra(mesh, delaunay.sites.n_sites());
     if (flat.empty()) return mesh;
     throw InvalidInput("-o " + file->path() + ": " + flat_in_words(mesh, flat) +
@@ -190,11 +195,14 @@ struct SpaceContent {
         const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
         const VoxelCounts counts =
             requested_voxels(domain.lattice, delaunay.sites.n_sites(), job.file_options.voxels);
-        const space::VoxelImage image =
-            voxel_image(delaunay, delaunay.weights,
-                        voxel_grid(domain.lattice, domain.origin, counts), job.run.n_threads);
-        const space::VoxelCells cells{
-            .lattice = domain.lattice, .sites = points, .weights = delaunay.weights};
+        const space::Metric metric = computation.cells.metric();
+        const space::VoxelImage image = voxel_image(
+            delaunay, delaunay.weights, voxel_grid(domain.lattice, domain.origin, counts),
+            job.run.n_threads, metric);
+        const space::VoxelCells cells{.lattice = domain.lattice,
+                                      .sites = points,
+                                      .weights = delaunay.weights,
+                                      .metric = metric};
         return file.format->space->encode_voxels(image, cells, computation.materials,
                                                  job.file_options.elastic, file.path());
     }
@@ -209,14 +217,33 @@ struct SpaceContent {
 
 }  // namespace
 
+namespace {
+
+/// Maps the cells and the pattern of a run in the round space of a metric back.
+void elongate(const space::Metric& metric, const space::Lattice& lattice,
+              space::Tessellation& cells, StartFigures& figures) {
+    cells.elongation = space::Elongation{metric, metric.from_round(cells.delaunay.sites, lattice)};
+    if (!figures.pattern) return;
+    for (auto vector : figures.pattern->basis.colwise()) {
+        vector = metric.from_round(space::Vec3(vector));
+    }
+}
+
+}  // namespace
+
 void SpaceWorld::check_files(const Job& job, const std::vector<JobFile>& files,
                              const std::vector<std::string>& phases) {
     check_file_options(job, files, phases);
 }
 
 Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
+    const space::Metric metric = space_metric_of(job);
+    const std::optional<Job> mapped =
+        metric.is_round() ? std::nullopt : std::optional(in_round_space(job, metric));
+    const Job& round = mapped ? *mapped : job;
+    // Start, optimise, and map back.
     StartFigures figures;
-    const space::Points points = start_points(job, monitor, figures);
+    const space::Points points = start_points(round, monitor, figures);
     RunOptions run = job.run;
     run.progress = [&, first = true](const Progress& progress) mutable {
         // The first call comes once the first triangulation is built and evaluated.
@@ -224,9 +251,10 @@ Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor,
         return monitor.iteration(progress);
     };
     watch.stop(&JobSeconds::optimize);
-    space::Tessellation cells = tessellate(job, points, run, monitor);
+    space::Tessellation cells = tessellate(round, points, run, monitor);
     watch.stop(&JobSeconds::optimize);
     if (cells.run.stop == Stop::kCancelled) throw Cancelled{};
+    if (mapped) elongate(metric, job.in_space().lattice, cells, figures);
     MaterialsOfCells of_cells;
     if (!job.materials.empty()) {
         of_cells = materials_of_cells(job.materials, cells.table(), job.seed);
@@ -244,19 +272,20 @@ SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobF
                                           const Computation<SpaceWorld>& computation,
                                           JobMonitor& monitor) {
     const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
+    const space::Sites& sites = computation.cells.sites();
     monitor.begin(Phase::kBuilding, "building the cells");
     space::CellComplex complex = computation.cells.complex();
     const std::size_t n_vertices = complex.vertices.size();
     complex = without_short_edges(std::move(complex), job.tile.short_edges);
-    const bool has_weights = delaunay.weights.size() > 0;
+    const bool are_plain = delaunay.weights.size() == 0 && !computation.cells.elongation;
     std::vector<space::Offset> images;
     ProvedSpaceTile built{
-        .tile = {.mesh = polyhedral_mesh(delaunay.sites, complex, job.in_space().origin, &images)}};
+        .tile = {.mesh = polyhedral_mesh(sites, complex, job.in_space().origin, &images)}};
     built.figures.n_removed_edges = static_cast<int>(n_vertices - complex.vertices.size());
     SpaceTile& tile = built.tile;
+    tile.mesh.metric = computation.cells.metric();
     tile.weights = delaunay.weights;
-    tile.sites =
-        has_weights ? sites_of_cells(complex, images) : sites_in_cells(delaunay.sites, tile.mesh);
+    tile.sites = are_plain ? sites_in_cells(sites, tile.mesh) : sites_of_cells(complex, images);
     tile.materials = computation.materials;
     monitor.begin(Phase::kProving, "proving the cells");
     try {
@@ -278,7 +307,7 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
                                 RunSummary& summary) {
     const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
     std::optional<space::TetrahedralMesh> tetrahedra =
-        build_tetrahedra(delaunay, job, files, monitor);
+        build_tetrahedra(computation.cells, job, files, monitor);
     const ProvedSpaceTile& built = tiles(monitor);
     summary.n_sites = delaunay.sites.n_sites();
     summary.energy_bound =
@@ -291,9 +320,10 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
     summary.polyhedra = built.figures;
     summary.constants = stated_constants(files, job.file_options, computation.materials);
     require_closed_boundary(job, files, built.figures.proof);
-    const auto content = std::make_shared<const SpaceContent>(SpaceContent{
-        built.tile, computation, wrapped_positions(delaunay.sites, job.in_space().origin),
-        std::move(tetrahedra), job});
+    const auto content = std::make_shared<const SpaceContent>(
+        SpaceContent{built.tile, computation,
+                     wrapped_positions(computation.cells.sites(), job.in_space().origin),
+                     std::move(tetrahedra), job});
     return {.encode = [content](const JobFile& file) { return content->encode(file); },
             .prove =
                 [content](const JobFile& file, const std::vector<EncodedFile>& encoded) {

@@ -5,6 +5,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/cells/orientations.hpp"
 #include "mesher/space/cvt/weighted_cells.hpp"
+#include "mesher/space/mesh/elongated_cells.hpp"
 #include "tests/support/space_tiles.hpp"
 
 namespace pcvt::testing {
@@ -43,6 +44,23 @@ void add_without_short_edges(const SpaceFormat& format, const SpaceCase& c, cons
                      format.encode(tile_of(c, 0.05), SurfaceForm::kCells, path)});
 }
 
+/// Adds cells of a metric.
+void add_elongated(const SpaceFormat& format, const SpaceCase& c, const std::string& path,
+                   std::vector<BaseFile>& bases) {
+    const space::Metric metric(3, {1, 0.5, 0});
+    const space::PeriodicDelaunay round = space::periodic_delaunay(
+        space::Sites(metric.to_round(c.lattice), metric.to_round(c.points)));
+    const space::Sites sites = metric.from_round(round.sites, c.lattice);
+    const space::CellComplex complex =
+        from_round(cell_complex(round.sites, round.tetrahedra), metric, sites);
+    std::vector<space::Offset> images;
+    SpaceTile tile{.mesh = polyhedral_mesh(sites, complex, {0, 0, 0}, &images)};
+    tile.mesh.metric = metric;
+    tile.sites = sites_of_cells(complex, images);
+    bases.push_back({"elongated " + c.name, plane::MeshKind::kVoronoi,
+                     format.encode(tile, SurfaceForm::kCells, path)});
+}
+
 /// Adds cells with phases and orientations, and power cells with their weights.
 void add_materials(const SpaceFormat& format, const SpaceCase& c, const std::string& path,
                    std::vector<BaseFile>& bases) {
@@ -60,6 +78,7 @@ void add_materials(const SpaceFormat& format, const SpaceCase& c, const std::str
     const space::CellComplex complex =
         cell_complex(delaunay.sites, delaunay.tetrahedra, delaunay.weights);
     std::vector<space::Offset> images;
+    add_elongated(format, c, path, bases);
     SpaceTile power{.mesh = polyhedral_mesh(delaunay.sites, complex, {0, 0, 0}, &images)};
     power.sites = sites_of_cells(complex, images);
     power.weights = delaunay.weights;

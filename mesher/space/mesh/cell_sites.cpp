@@ -8,6 +8,7 @@
 #include "mesher/base/law_violation.hpp"
 #include "mesher/portable/portable_functions.hpp"
 #include "mesher/space/mesh/cell_faces.hpp"
+#include "mesher/space/mesh/elongated_cells.hpp"
 
 namespace pcvt::space {
 namespace {
@@ -132,6 +133,9 @@ CellSiteFigures prove_cell_sites(const PolyhedralMesh& mesh, const Points& sites
     if (sites.cols() != mesh.n_cells) {
         throw_violation(kSiteLaw, "there are " + std::to_string(sites.cols()) + " sites of " +
                                       std::to_string(mesh.n_cells) + " cells");
+    }
+    if (!mesh.metric.is_round()) {
+        return prove_cell_sites(to_round(mesh), mesh.metric.to_round(sites), weights);
     }
     const double spacing = portable_cbrt(mesh.lattice.volume() / mesh.n_cells);
     BisectorProof proof(mesh, sites, weights, spacing);

@@ -75,7 +75,8 @@ void for_each_side(const PolyhedralMesh& mesh, const Points& sites, const Visit&
 /// Proves that the cells are the periodic Voronoi cells of the sites: each face lies in the plane
 /// halfway between the sites of its two cells, each of which lies on the side of its site. Cells
 /// that fill the torus and satisfy this at each face are the Voronoi cells. With weights the cells
-/// are power cells, and the plane that of equal power distances.
+/// are power cells, and the plane that of equal power distances. Distances, and the figures, are
+/// those in the metric of the mesh.
 ///
 /// @pre prove_polyhedra() has proved the mesh.
 /// @param sites    3 x n, the image of each site that its cell belongs to, length units.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "mesher/cells/finite_volume_mesh.hpp"
+#include "mesher/space/geometry/metric.hpp"
 #include "mesher/space/mesh/cell_complex.hpp"
 
 namespace pcvt::space {
@@ -30,6 +31,8 @@ struct PolyhedralMesh : FiniteVolumeMesh {
     std::vector<Offset> point_offset = {};
     /// As CellComplex::short_edges: the cells are convex within this part of h.
     double short_edges = 0;
+    /// Elongated cells: the metric in which they are the cells of their sites.
+    Metric metric = {};
 };
 
 /// Adds the two patches of a seam, whose faces the next 2 n faces of the mesh are.

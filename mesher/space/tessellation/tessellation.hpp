@@ -8,6 +8,7 @@
 #include "mesher/space/cvt/cvt.hpp"
 #include "mesher/space/cvt/volume_cvt.hpp"
 #include "mesher/space/cvt/weighted_cells.hpp"
+#include "mesher/space/geometry/metric.hpp"
 #include "mesher/space/mesh/cell_complex.hpp"
 
 namespace pcvt::space {
@@ -19,13 +20,20 @@ struct CellCache {
     std::optional<CellTable> table;
 };
 
+/// The metric of elongated cells, and their sites in the space of the user (Metric::from_round()).
+struct Elongation {
+    Metric metric;
+    Sites sites;
+};
+
 /// A tessellation of space, the run that computed it, and its cells: Voronoi cells, or power cells
-/// where `delaunay` has weights.
+/// where `delaunay` has weights. With an elongation, `delaunay`, energy and residuals are those of
+/// the round space of its metric, and the cells lie in the space of the user.
 ///
 /// Example usage:
 ///     const Tessellation cells{compute_cvt(lattice, points, options)};
 ///     const double volume = cells.table().measure[0];
-///     const PolyhedralMesh mesh = polyhedral_mesh(cells.delaunay.sites, cells.complex());
+///     const PolyhedralMesh mesh = polyhedral_mesh(cells.sites(), cells.complex());
 struct Tessellation : CvtResult {
     explicit Tessellation(CvtResult&& result) : CvtResult(std::move(result)) {}
     explicit Tessellation(VolumeCvtResult&& grains)
@@ -38,6 +46,12 @@ struct Tessellation : CvtResult {
 
     /// Figures of a run with prescribed volumes.
     std::optional<SizeFigures> volumes = {};
+    /// Elongated cells; set before complex() and table() are called.
+    std::optional<Elongation> elongation = {};
+
+    /// The sites in the space of the user.
+    const Sites& sites() const { return elongation ? elongation->sites : delaunay.sites; }
+    Metric metric() const { return elongation ? elongation->metric : Metric(); }
 
     /// The cells. The first call after table() takes the cells from which the table was made. Any
     /// number of threads may call this.
@@ -46,6 +60,8 @@ struct Tessellation : CvtResult {
     const CellTable& table() const;
 
    private:
+    CellComplex new_complex() const;
+
     std::unique_ptr<CellCache> cache_ = std::make_unique<CellCache>();
 };
 

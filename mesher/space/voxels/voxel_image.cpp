@@ -35,16 +35,16 @@ std::int64_t fraction_of(double u) { return std::llround(u * kGrid) & kFractionM
 /// The centres of voxels, modulo the lattice.
 class CentresOfVoxels {
    public:
-    CentresOfVoxels(const Sites& sites, const VoxelGrid& grid) {
+    CentresOfVoxels(const Sites& sites, const Metric& metric, const VoxelGrid& grid) {
         const Lattice& reduced = sites.reduction().reduced;
-        const Vec3 corner = wrap(reduced.to_lattice(grid.corner)).fraction;
+        const Vec3 corner = wrap(reduced.to_lattice(metric.to_round(grid.corner))).fraction;
         for (int d = 0; d < 3; ++d) corner_[d] = fraction_of(corner[d]);
         const std::array<int, 3> counts{grid.counts.x, grid.counts.y, grid.counts.z};
         for (int axis = 0; axis < 3; ++axis) {
             Vec3 period = Vec3::Zero();
             period[axis] = grid.size[axis];
             // A lattice vector: its coordinates are integers up to rounding.
-            whole_[axis] = reduced.to_lattice(period).array().round();
+            whole_[axis] = reduced.to_lattice(metric.to_round(period)).array().round();
             fill(whole_[axis], counts[axis], steps_[axis]);
         }
     }
@@ -247,8 +247,8 @@ constexpr int kRowsOfATask = 64;
 }  // namespace
 
 VoxelImage voxel_image(const PeriodicDelaunay& delaunay, const Eigen::VectorXd& weights,
-                       const VoxelGrid& grid, int n_threads) {
-    const CentresOfVoxels centres(delaunay.sites, grid);
+                       const VoxelGrid& grid, int n_threads, const Metric& metric) {
+    const CentresOfVoxels centres(delaunay.sites, metric, grid);
     const CellsOfSites cells(delaunay, weights, centres.period_along_x() / grid.counts.x);
     VoxelImage image{grid, std::vector<SiteId>(grid.n_voxels())};
     const int length = grid.counts.x;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "mesher/space/delaunay/periodic_delaunay.hpp"
+#include "mesher/space/geometry/metric.hpp"
 #include "mesher/space/voxels/voxel_grid.hpp"
 
 namespace pcvt::space {
@@ -15,7 +16,7 @@ struct VoxelImage {
 };
 
 /// Labels each voxel with the site to whose image its centre is nearest, in the power distance
-/// |p - x|^2 - w.
+/// |p - x|^2 - w, in the metric of elongated cells.
 ///
 /// The centres are rounded to multiples of 2^-50 of the periods of the sites, as the sites are, and
 /// distances are compared exactly. A centre that is equally far from several sites belongs to the
@@ -38,10 +39,10 @@ struct VoxelImage {
 ///   (2) A grid of a repeated domain repeats the image.
 ///   (3) The image does not depend on the number of threads.
 ///
-/// @param delaunay  its tetrahedra are regular for the weights.
+/// @param delaunay  of the sites mapped by `metric`; its tetrahedra are regular for the weights.
 /// @param weights   length^2, one a site; empty: all are equal.
 /// @param grid      its periods are vectors of the lattice of the sites.
 VoxelImage voxel_image(const PeriodicDelaunay& delaunay, const Eigen::VectorXd& weights,
-                       const VoxelGrid& grid, int n_threads);
+                       const VoxelGrid& grid, int n_threads, const Metric& metric = {});
 
 }  // namespace pcvt::space

@@ -17,6 +17,9 @@ namespace {
 constexpr double kUlps = 8;
 /// The largest difference of a lattice coordinate of a period from an integer.
 constexpr double kWholePeriod = 1e-9;
+/// The box along the axes round the image of a box is at most this times as wide as the largest
+/// stretch makes it: the root of 3.
+constexpr double kWidestBox = 1.7320508075688772;
 /// Voxels along an edge of a block, for which the nearest sites are searched together.
 constexpr int kVoxelsOfABlock = 8;
 
@@ -45,12 +48,16 @@ class BlockProof {
         : image_(image),
           counts_{image.grid.counts.x, image.grid.counts.y, image.grid.counts.z},
           spacing_(image.grid.spacing()),
-          tree_(cells.lattice, cells.sites, cells.weights),
+          metric_(cells.metric),
+          tree_(metric_.to_round(cells.lattice), metric_.to_round(cells.sites), cells.weights),
           h_(cells.lattice.spacing(cells.n_cells())),
           rounding_(kUlps * std::numeric_limits<double>::epsilon() *
-                    (image.grid.corner.cwiseAbs() + image.grid.size).maxCoeff()) {
-        // A block is at most as wide as the domain.
-        const double narrowest = reduce(cells.lattice).reduced.heights().minCoeff();
+                    (image.grid.corner.cwiseAbs() + image.grid.size).maxCoeff() *
+                    metric_.largest_stretch()) {
+        // A block is at most as wide as the domain, in the metric too.
+        const double narrowest =
+            reduce(metric_.to_round(cells.lattice)).reduced.heights().minCoeff() /
+            (metric_.is_round() ? 1 : kWidestBox * metric_.largest_stretch());
         for (int d = 0; d < 3; ++d) {
             const double most = std::floor(narrowest / spacing_[d]);
             sides_[d] = static_cast<int>(std::clamp<double>(most, 1, kVoxelsOfABlock));
@@ -79,21 +86,23 @@ class BlockProof {
             middle[d] = (begin[d] + end[d]) / 2.0 * spacing_[d];
             half[d] = (end[d] - begin[d] - 1) / 2.0 * spacing_[d];
         }
-        const std::vector<NearestImage<3>> images =
-            tree_.nearest_in_box(image_.grid.corner + middle, half);
+        const std::vector<NearestImage<3>> images = tree_.nearest_in_box(
+            metric_.to_round(Vec3(image_.grid.corner + middle)), metric_.box_to_round(half));
         for (int m = begin[2]; m < end[2]; ++m) {
             for (int l = begin[1]; l < end[1]; ++l) {
                 for (int k = begin[0]; k < end[0]; ++k) {
                     const Vec3 step(k + 0.5, l + 0.5, m + 0.5);
                     const std::size_t row = static_cast<std::size_t>(m) * counts_[1] + l;
-                    prove_voxel(row * counts_[0] + k, middle, step.cwiseProduct(spacing_) - middle,
+                    prove_voxel(row * counts_[0] + k, middle,
+                                metric_.to_round(Vec3(step.cwiseProduct(spacing_) - middle)),
                                 images);
                 }
             }
         }
     }
 
-    /// @param from_middle  the centre of the voxel as seen from the middle of its block.
+    /// @param from_middle  the centre of the voxel as seen from the middle of its block, in the
+    ///                     round space.
     void prove_voxel(std::size_t voxel, const Vec3& middle, const Vec3& from_middle,
                      const std::vector<NearestImage<3>>& images) {
         const auto from_centre = [&](NearestImage<3> image) {
@@ -107,8 +116,8 @@ class BlockProof {
         }
         const SiteId name = image_.site[voxel];
         if (nearest.site == name) return;
-        const NearestImage<3> named =
-            tree_.nearest_of(name, image_.grid.corner + middle + from_middle);
+        const NearestImage<3> named = tree_.nearest_of(
+            name, metric_.to_round(Vec3(image_.grid.corner + middle)) + from_middle);
         // gap / apart is the distance of the centre from the plane of equal power distance.
         // Rounding of the sites moves that plane farther than the sites where these are close.
         const double gap = (named.power_distance() - nearest.power_distance()) / 2;
@@ -124,6 +133,7 @@ class BlockProof {
     const VoxelImage& image_;
     std::array<int, 3> counts_;
     Vec3 spacing_;
+    Metric metric_;
     SiteTree<Lattice> tree_;
     double h_;
     /// The rounding of a position.

@@ -11,6 +11,8 @@ struct VoxelCells {
     Points sites;
     /// length^2, one a site; empty without weights.
     Eigen::VectorXd weights = {};
+    /// Elongated cells: the metric in which they are the cells of their sites.
+    Metric metric = {};
 
     int n_cells() const { return static_cast<int>(sites.cols()); }
 };

@@ -236,7 +236,7 @@ def mesh(
     areas: Optional[ArrayLike] = None,
     volumes: Union[None, str, ArrayLike] = None,
     weights: Optional[ArrayLike] = None,
-    aspect: Union[float, Tuple[float, float]] = 1.0,
+    aspect: Union[float, Tuple[float, float], Tuple[float, ArrayLike]] = 1.0,
     phases: Union[None, str, Mapping[str, float], Sequence[str]] = None,
     orientations: Optional[ArrayLike] = None,
     orientation_weights: Optional[ArrayLike] = None,

@@ -50,6 +50,19 @@ def set_origin(options, origin, dimension):
         options.origin_z = corner[2]
 
 
+def set_aspect(options, aspect, dimension):
+    """Sets the elongation of the cells: R, (R, degrees), or in space (R, (x, y, z))."""
+    is_ratio = not isinstance(aspect, (tuple, list)) and np.ndim(aspect) == 0
+    ratio, direction = (aspect, None) if is_ratio else aspect
+    options.aspect = ratio
+    if direction is None:
+        return
+    if dimension == 2:
+        options.aspect_degrees = direction
+    else:
+        set_doubles(options, aspect_axis=doubles("aspect", direction, 3))
+
+
 def set_sizes(options, word, sizes):
     """Sets areas or volumes, or their law. Returns the array that must stay alive as long as the options are used."""
     if sizes is None:

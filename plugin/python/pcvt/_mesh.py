@@ -3,7 +3,7 @@
 import numpy as np
 
 from ._arguments import (period_vectors, refuse_plane_only, set_fixed, set_inclusions,
-                         set_materials, set_origin, set_sizes, set_site_phases, set_weights)
+                         set_aspect, set_materials, set_origin, set_sizes, set_site_phases, set_weights)
 from ._calls import (choice, default_options, generated, require_numbers, set_doubles, set_fields, set_integers,
                      set_sites, shaped)
 from ._result import Result
@@ -66,6 +66,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     unit, scaled to the volume of the domain; or "equal", "lognormal:S", "gamma:S" or a mixture,
                     drawn from `seed`, with S the standard deviation over the mean of the equivalent diameters.
                     max_iterations centroidal steps, five where it is negative, make the cells round
+    aspect          R or (R, degrees): cells R times as long along degrees from x as across, 0.01 to
+                    100; in space R or (R, (x, y, z)), along that axis
     fields          numbers of pcvt_options, by their names in pcvt.h
 
     The arguments that follow are for the plane only.
@@ -85,8 +87,6 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     cells, their law and their mean diameter in any unit. See Result.weights
     weights         the power cells (Laguerre cells) of given sites that stay where they are, with
                     max_iterations=0: shape (n,), lengths squared, such as radii ** 2
-    aspect          R or (R, degrees): cells R times as long along degrees from x as across, 0.01 to
-                    100
     symmetry        drawn sites have, and keep, the symmetry of a plane group: p1, p2, pm, pg, cm, pmm, pmg,
                     pgg, cmm, p4, p4m, p4g, p3, p3m1, p31m, p6 or p6m; sites counts those of one period
     walls           straight walls at 0 and at the period in place of periods: x (across x), y, xy, none
@@ -135,7 +135,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     set_fields("mesh", options, fields)
     options.tolerance, options.grain_size = tolerance, grain_size
     options.short_edges = short_edges
-    options.aspect, options.aspect_degrees = (aspect, 0) if np.ndim(aspect) == 0 else aspect
+    set_aspect(options, aspect, dimension)
     handle = generated(options, density, progress)
     if dimension == 2:
         return Result(handle, columns * rows)

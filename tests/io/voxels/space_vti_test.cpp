@@ -132,7 +132,7 @@ TEST(SpaceVti, DamageIsRefused) {
     EXPECT_THAT(changed("</FieldData>",
                         "<DataArray type=\"Float64\" Name=\"Metric\" NumberOfTuples=\"1\" "
                         "NumberOfComponents=\"2\" format=\"ascii\">2 30</DataArray></FieldData>"),
-                HasSubstr("cells in space have no metric"));
+                HasSubstr("the metric has not a ratio and an axis"));
     auto files = good;
     files[1].bytes.erase(files[1].bytes.rfind("  - homogenization"));
     EXPECT_THAT(space_refusal(files), HasSubstr("t.material.yaml: has 4 materials"));

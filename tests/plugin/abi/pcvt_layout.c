@@ -166,6 +166,7 @@ static void print_options(void) {
     FIELD(pcvt_options, n_volumes);
     FIELD(pcvt_options, reserved6);
     FIELD(pcvt_options, orientation_weights);
+    FIELD(pcvt_options, aspect_axis);
 }
 
 static void print_sites(void) {

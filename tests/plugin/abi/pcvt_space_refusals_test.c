@@ -42,7 +42,6 @@ static void each_field_of_the_plane_is_refused_by_its_name(void) {
     PLANE_FIELD(areas, "areas", three);
     PLANE_FIELD(n_areas, "n_areas", 3);
     PLANE_FIELD(area_law, "area_law", "equal");
-    PLANE_FIELD(aspect, "aspect", 2);
     PLANE_FIELD(aspect_degrees, "aspect_degrees", 30);
     PLANE_FIELD(symmetry, "symmetry", PCVT_SYMMETRY_P1);
     PLANE_FIELD(fixed_sites, "fixed_sites", three);
@@ -77,6 +76,15 @@ static void values_out_of_range_are_refused(void) {
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "lattice3: ");
     options.lattice3[8] = (double)INFINITY;
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "lattice3 is not finite");
+    options = space_options_for(2);
+    options.aspect = 0;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "aspect");
+    options.aspect = 2;
+    options.aspect_axis[1] = (double)NAN;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "aspect_axis");
+    options = options_for(2);
+    options.aspect_axis[1] = 1;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "aspect_axis is for three dimensions");
     options = space_options_for(2);
     options.reserved4 = 1;
     REFUSED(&options, PCVT_ERROR_ABI, "does not know");

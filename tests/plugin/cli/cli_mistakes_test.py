@@ -65,7 +65,7 @@ MISTAKES = [
     # In space.
     ("mesh --sites 9 --period 1,1,1 --walls x", ["--walls is not for three dimensions; leave it out"], 2),
     ("mesh --sites 9 --period 1,1,1 --walls x --areas equal --aspect 2",
-     ["--areas, --aspect and --walls are not for three dimensions; leave them out"], 2),
+     ["--areas and --walls are not for three dimensions; leave them out"], 2),
     ("mesh --sites 9 --surface boundary", ["--surface is for three dimensions; leave it out, or give W,H,D"], 2),
     ("mesh --sites 9 --period 1,1,1 -o t.ojb", ["unknown extension .ojb", "did you mean .obj?"], 2),
     ("mesh --sites 9 --period 1,1,1 -o t.step", ["unknown extension .step; take one of .obj, .ply"], 2),

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -72,6 +73,37 @@ TEST(VoxelImageInSpace, Law1LabelsAreThoseOfBruteForce) {
             const double scale = lattice.spacing(n) + origin.norm();
             EXPECT_EQ(n_wrong(delaunay.sites, {}, image, 1e-13 * scale * scale), 0)
                 << n << " " << seed;
+        }
+    }
+}
+
+TEST(VoxelImageInSpace, Law1HoldsInAMetric) {
+    std::uint64_t seed = 0;
+    for (const double ratio : {0.2, 3.0, 10.0}) {
+        for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(1, -2, 3)}) {
+            const Metric metric(ratio, axis);
+            const Lattice lattice = Lattice::box(1, 2, 1.5);
+            const Points points = uniform_points(lattice, 30, ++seed);
+            const auto delaunay =
+                periodic_delaunay(Sites(metric.to_round(lattice), metric.to_round(points)));
+            const Sites sites = metric.from_round(delaunay.sites, lattice);
+            const VoxelGrid grid = voxel_grid(lattice, {0.1, -3, 0}, {11, 12, 13});
+            const VoxelImage image = voxel_image(delaunay, {}, grid, 2, metric);
+            for (std::size_t v = 0; v < image.site.size(); v += 37) {
+                const auto distance = [&](SiteId s) {
+                    const Vec3 from = sites.position(s) - Vec3(centre_of(grid, v).cast<double>());
+                    const Vec3 near = lattice.to_lattice(from).array().round();
+                    double least = std::numeric_limits<double>::infinity();
+                    for (int k = 0; k < 343; ++k) {
+                        const Offset o{k / 49 - 3, k / 7 % 7 - 3, k % 7 - 3};
+                        const Vec3 d = from - lattice.to_position(near + o.vector());
+                        least = std::min(least, metric.to_round(d).squaredNorm());
+                    }
+                    return least;
+                };
+                const double named = distance(image.site[v]);
+                for (SiteId s = 0; s < 30; ++s) ASSERT_LE(named, distance(s) + 1e-12);
+            }
         }
     }
 }

@@ -55,6 +55,23 @@ TEST(VoxelProofInSpace, HoldsForImages) {
                     .unseen.empty());
 }
 
+TEST(VoxelProofInSpace, HoldsInTheMetricOfTheCells) {
+    const Lattice lattice = Lattice::box(2, 1, 1);
+    for (const double ratio : {0.1, 4.0, 100.0}) {
+        const Metric metric(ratio, {1, 1, 3});
+        const auto delaunay = periodic_delaunay(
+            Sites(metric.to_round(lattice), metric.to_round(uniform_points(lattice, 40, 2))));
+        const VoxelGrid grid = voxel_grid(lattice, {5, 0.25, -1}, {30, 24, 17});
+        ProofCase c{voxel_image(delaunay, {}, grid, 1, metric),
+                    {.lattice = lattice,
+                     .sites = metric.from_round(delaunay.sites, lattice).positions(),
+                     .metric = metric}};
+        EXPECT_EQ(refuted(c), "");
+        c.cells.metric = Metric(1.2 * ratio > 100 ? 80 : 1.2 * ratio, metric.axis());
+        EXPECT_THAT(refuted(c), HasSubstr("its centre lies in cell"));
+    }
+}
+
 TEST(VoxelProofInSpace, HoldsForLatticesWhoseCentresTie) {
     const auto delaunay = periodic_delaunay(
         Sites(testing::kCube, testing::cubic_points(testing::Cubic::kFaceCentred, 2)));
