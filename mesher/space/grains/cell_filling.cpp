@@ -12,8 +12,8 @@
 namespace pcvt::space {
 namespace {
 
-/// The sine of 20 degrees: no further attempt is made.
-constexpr double kEnough = 0.3420201433256687;
+/// The sine of 22 degrees: no further attempt is made.
+constexpr double kEnough = 0.374606593415912;
 constexpr int kPasses = 8;
 /// The first pass that adds and removes vertices, and the sine of 25 degrees, below which it does.
 constexpr int kFirstInsertions = 2;

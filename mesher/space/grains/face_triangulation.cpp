@@ -11,20 +11,16 @@
 namespace pcvt::space {
 namespace {
 
-/// A triangle below this part of its squared edges is flat: twice the area, far above rounding.
-constexpr double kFlatTriangle = 1e-9;
 /// In units of the sum of the absolute terms of the determinant.
 constexpr double kInCircle = 1e-12;
 constexpr int kMostWalkSteps = 10000;
-/// Rounds of flips: of Delaunay flips at the start, and of improvements at the end.
-constexpr int kMostFlipRounds = 100;
+constexpr long kMostFlips = 1000000;
 constexpr int kImprovements = 4;
+constexpr double kRoot = 0.8660254037844386;
+const std::array<Point2, 6> kDirections{Point2(1, 0),  Point2(0.5, kRoot),   Point2(-0.5, kRoot),
+                                        Point2(-1, 0), Point2(-0.5, -kRoot), Point2(0.5, -kRoot)};
 /// The sine of 42 degrees: wide enough.
 constexpr double kWideSine = 0.669;
-
-double dot2(const Point2& a, const Point2& b) { return a.x() * b.x() + a.y() * b.y(); }
-double cross2(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
-double square(const Point2& a) { return dot2(a, a); }
 
 int next(int k) { return (k + 1) % 3; }
 int last(int k) { return (k + 2) % 3; }
@@ -40,79 +36,21 @@ Point2 circumcentre(const Point2& a, const Point2& b, const Point2& c) {
 
 }  // namespace
 
-double smallest_sine(const Point2& a, const Point2& b, const Point2& c) {
-    const double ab = square(b - a);
-    const double bc = square(c - b);
-    const double ca = square(a - c);
-    // The smallest angle lies between the two longer edges.
-    const double product = std::max({ab * bc, bc * ca, ca * ab});
-    return product > 0 ? cross2(b - a, c - a) / std::sqrt(product) : 0;
-}
-
 FaceTriangulation::FaceTriangulation(std::vector<Point2> boundary)
     : points_(std::move(boundary)), n_boundary_(static_cast<int>(points_.size())) {
-    cut_ears();
+    triangles_ = cut_ears(points_);
     link();
-    make_delaunay();
+    std::vector<int> all(triangles_.size());
+    std::iota(all.begin(), all.end(), 0);
+    make_delaunay(std::move(all));
 }
 
-double FaceTriangulation::turn(int a, int b, int c) const {
+double FaceTriangulation::area2(int a, int b, int c) const {
     return cross2(points_[b] - points_[a], points_[c] - points_[a]);
 }
 
 double FaceTriangulation::sine(int a, int b, int c) const {
     return smallest_sine(points_[a], points_[b], points_[c]);
-}
-
-double FaceTriangulation::ear(const std::vector<int>& polygon, int k, double least) const {
-    const int n = static_cast<int>(polygon.size());
-    const int a = polygon[(k + n - 1) % n];
-    const int b = polygon[k];
-    const int c = polygon[(k + 1) % n];
-    double width = sine(a, b, c);
-    if (width <= least) return -1;
-    const double flat =
-        kFlatTriangle * (square(points_[c] - points_[a]) + square(points_[b] - points_[a]) +
-                         square(points_[c] - points_[b]));
-    if (turn(a, b, c) <= flat) return -1;
-    // What is left must not be flat either.
-    if (n == 4) {
-        const int d = polygon[(k + 2) % n];
-        if (turn(a, c, d) <= flat) return -1;
-        return std::min(width, sine(a, c, d));
-    }
-    const bool leaves_area =
-        std::any_of(polygon.begin(), polygon.end(), [&](int v) { return turn(a, c, v) > flat; });
-    return leaves_area ? width : -1;
-}
-
-void FaceTriangulation::cut_ears() {
-    std::vector<int> polygon(points_.size());
-    std::iota(polygon.begin(), polygon.end(), 0);
-    while (polygon.size() > 3) {
-        const int n = static_cast<int>(polygon.size());
-        int best = -1;
-        double widest = 0;
-        for (int k = 0; k < n; ++k) {
-            const double width = ear(polygon, k, widest);
-            if (width > widest) std::tie(widest, best) = std::pair(width, k);
-        }
-        if (best < 0) break;
-        triangles_.push_back({polygon[(best + n - 1) % n], polygon[best], polygon[(best + 1) % n]});
-        polygon.erase(polygon.begin() + best);
-    }
-    if (polygon.size() == 3) {
-        triangles_.push_back({polygon[0], polygon[1], polygon[2]});
-        return;
-    }
-    // No ear is left: a star from the middle.
-    Point2 middle = Point2::Zero();
-    for (const int v : polygon) middle += points_[v] / static_cast<double>(polygon.size());
-    const int centre = static_cast<int>(points_.size());
-    points_.push_back(middle);
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        triangles_.push_back({centre, polygon[k], polygon[(k + 1) % polygon.size()]});
-    }
 }
 
 void FaceTriangulation::link() {
@@ -166,7 +104,7 @@ bool FaceTriangulation::may_flip(int t, int k) const {
     const int d = triangles_[other][apex_across(t, k)];
     const double flat =
         kFlatTriangle * (square(points_[b] - points_[c]) + square(points_[a] - points_[d]));
-    return turn(a, b, d) > flat && turn(a, d, c) > flat;
+    return area2(a, b, d) > flat && area2(a, d, c) > flat;
 }
 
 void FaceTriangulation::relink(int t, int from, int to) {
@@ -193,18 +131,19 @@ void FaceTriangulation::flip(int t, int k) {
     relink(beyond_ca, t, o);
 }
 
-void FaceTriangulation::make_delaunay() {
-    bool again = true;
-    for (int round = 0; again && round < kMostFlipRounds; ++round) {
-        again = false;
-        for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
-            for (int k = 0; k < 3; ++k) {
-                const int o = neighbours_[t][k];
-                if (o < 0 || !in_circle(t, triangles_[o][apex_across(t, k)])) continue;
-                if (!may_flip(t, k)) continue;
-                flip(t, k);
-                again = true;
+void FaceTriangulation::make_delaunay(std::vector<int> stack) {
+    for (long n = 0; !stack.empty() && n < kMostFlips; ++n) {
+        const int t = stack.back();
+        stack.pop_back();
+        for (int k = 0; k < 3; ++k) {
+            const int o = neighbours_[t][k];
+            if (o < 0 || !in_circle(t, triangles_[o][apex_across(t, k)]) || !may_flip(t, k)) {
+                continue;
             }
+            flip(t, k);
+            stack.insert(stack.end(), {t, o});
+            changed_.insert(changed_.end(), {t, o});
+            break;
         }
     }
 }
@@ -238,20 +177,7 @@ void FaceTriangulation::insert(const Point2& x, int t) {
     relink(beyond[1], t, second);
     relink(beyond[2], t, third);
     changed_ = {t, second, third};
-    std::vector<int> stack = changed_;
-    while (!stack.empty()) {
-        const int s = stack.back();
-        stack.pop_back();
-        for (int k = 0; k < 3; ++k) {
-            const int o = neighbours_[s][k];
-            if (o < 0 || !in_circle(s, triangles_[o][apex_across(s, k)]) || !may_flip(s, k))
-                continue;
-            flip(s, k);
-            stack.insert(stack.end(), {s, o});
-            changed_.insert(changed_.end(), {s, o});
-            break;
-        }
-    }
+    make_delaunay(changed_);
 }
 
 double FaceTriangulation::excess(int t, const FaceLimits& limits) const {
@@ -320,11 +246,6 @@ void FaceTriangulation::improve() {
 }
 
 void FaceTriangulation::move_points() {
-    constexpr double kHalf = 0.5;
-    constexpr double kRoot = 0.8660254037844386;
-    const std::array<Point2, 6> directions{Point2(1, 0),           Point2(kHalf, kRoot),
-                                           Point2(-kHalf, kRoot),  Point2(-1, 0),
-                                           Point2(-kHalf, -kRoot), Point2(kHalf, -kRoot)};
     std::vector<std::vector<int>> stars(points_.size());
     for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
         for (const int v : triangles_[t]) stars[v].push_back(t);
@@ -360,7 +281,7 @@ void FaceTriangulation::move_points() {
         nearest = std::sqrt(nearest);
         probe(sum / static_cast<double>(2 * stars[v].size()));
         for (double step = 0.3; step > 0.02; step *= 0.5) {
-            for (const Point2& direction : directions)
+            for (const Point2& direction : kDirections)
                 probe(points_[v] + step * nearest * direction);
         }
     }

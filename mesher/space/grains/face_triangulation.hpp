@@ -1,15 +1,11 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <vector>
 
+#include "mesher/space/grains/ear_cutting.hpp"
+
 namespace pcvt::space {
-
-using Point2 = Eigen::Vector2d;
-
-/// The sine of the smallest angle of a triangle; negative where it is clockwise.
-double smallest_sine(const Point2& a, const Point2& b, const Point2& c);
 
 /// The limits above which a triangle of a face is refined.
 struct FaceLimits {
@@ -55,13 +51,11 @@ class FaceTriangulation {
     int n_boundary() const { return n_boundary_; }
 
    private:
-    double turn(int a, int b, int c) const;
+    double area2(int a, int b, int c) const;
     double sine(int a, int b, int c) const;
-    /// The corner k of the polygon that is left is an ear with this sine, or not above `least`.
-    double ear(const std::vector<int>& polygon, int k, double least) const;
-    void cut_ears();
     void link();
-    void make_delaunay();
+    /// Flips edges of these triangles, and then of those that it changes.
+    void make_delaunay(std::vector<int> stack);
     bool in_circle(int t, int point) const;
     /// The corner of the neighbour across edge k that the two do not share: its index.
     int apex_across(int t, int k) const;

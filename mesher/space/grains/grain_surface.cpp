@@ -12,8 +12,9 @@ namespace {
 
 /// The largest circumradius of triangles over the size of the cells.
 constexpr double kLargestRadius = 0.75;
-/// The sine of 20 degrees, below which the angles of triangles are refined.
-constexpr double kThinSine = 0.3420201433256687;
+/// The sine of 22 degrees, below which the angles of triangles are refined: 20 degrees take 4 %
+/// fewer tetrahedra, and leave one in a hundred of them below 27 degrees.
+constexpr double kThinSine = 0.374606593415912;
 /// A part of an edge is divided only where it is longer than this part of the size at its middle,
 /// or the segments at a sharp corner divide each other for ever.
 constexpr double kDividedLength = 0.7;

@@ -1,0 +1,153 @@
+#include "mesher/space/grains/grain_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "mesher/space/grains/cell_hull.hpp"
+#include "mesher/space/grains/tetrahedron_shape.hpp"
+#include "tests/support/polyhedra.hpp"
+
+namespace pcvt::space {
+namespace {
+
+std::vector<testing::SpaceCase> few_cases() {
+    std::vector<testing::SpaceCase> kept;
+    for (testing::SpaceCase& c : testing::space_cases()) {
+        if (c.points.cols() <= 30 && c.name.find("thin") == std::string::npos) {
+            kept.push_back(std::move(c));
+        }
+    }
+    return kept;
+}
+
+std::vector<double> sizes_of(const CellComplex& complex) {
+    const double h = std::cbrt(complex.reduced.volume() / complex.n_cells);
+    return std::vector<double>(static_cast<std::size_t>(complex.n_cells), h / 2);
+}
+
+GrainSurface surface_of(const CellComplex& complex, int n_threads = 1) {
+    Workers workers(n_threads);
+    return grain_surface(complex, sizes_of(complex), workers);
+}
+
+/// The first law of cell_edges().
+TEST(CellEdges, EachEdgeOfAFaceIsTheImageOfOneEdge) {
+    for (const testing::SpaceCase& c : few_cases()) {
+        SCOPED_TRACE(c.name);
+        const CellComplex complex = testing::complex_of(c);
+        const CellEdges edges = cell_edges(complex, sizes_of(complex));
+        // Each vertex, edge, face and cell once: the torus.
+        EXPECT_EQ(static_cast<int>(complex.vertices.size()) - static_cast<int>(edges.edges.size()) +
+                      complex.n_faces() - complex.n_cells,
+                  0);
+        for (int f = 0; f < complex.n_faces(); ++f) {
+            const auto corners = complex.corners_of(f);
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                const EdgeUse& use = edges.uses[complex.begin[f] + static_cast<int>(k)];
+                VertexImage from = edges.edges[use.edge].from;
+                VertexImage to = edges.edges[use.edge].to;
+                for (VertexImage* end : {&from, &to}) end->offset = end->offset + use.offset;
+                if (use.reversed) std::swap(from, to);
+                EXPECT_EQ(from, corners[k]);
+                EXPECT_EQ(to, corners[(k + 1) % corners.size()]);
+            }
+        }
+    }
+}
+
+/// Law (2) of cell_edges(): parts grow from the smallest features to the size of the cells.
+TEST(CellEdges, PartsAreNoLongerThanTheSize) {
+    const CellComplex complex = testing::complex_of(few_cases().back());
+    const std::vector<double> sizes = sizes_of(complex);
+    for (const CellEdge& edge : cell_edges(complex, sizes).edges) {
+        const double whole = distance(complex.position(edge.from), complex.position(edge.to));
+        double before = 0;
+        for (const double cut : edge.cuts) {
+            EXPECT_GT(cut, before);
+            EXPECT_LT((cut - before) * whole, 1.5 * sizes[0]);
+            before = cut;
+        }
+        EXPECT_LT((1 - before) * whole, 1.5 * sizes[0]);
+    }
+}
+
+/// Law (1).
+TEST(GrainSurface, TrianglesCoverPlaneFaces) {
+    for (const testing::SpaceCase& c : few_cases()) {
+        SCOPED_TRACE(c.name);
+        const CellComplex complex = testing::complex_of(c);
+        const GrainSurface surface = surface_of(complex);
+        const double h = std::cbrt(complex.reduced.volume() / complex.n_cells);
+        for (int f = 0; f < complex.n_faces(); ++f) {
+            const FacePlane plane = face_plane(complex, f);
+            double area = 0;
+            for (const SurfaceTriangle& t : surface.triangles[f]) {
+                const Vec3 a = surface.position(complex, t[0]);
+                const Vec3 b = surface.position(complex, t[1]);
+                const Vec3 p = surface.position(complex, t[2]);
+                const double part = dot_product(cross_product(b - a, p - a), plane.normal);
+                EXPECT_GT(part, 0);
+                area += part;
+                EXPECT_NEAR(dot_product(p - plane.origin, plane.normal), 0, 1e-12 * h);
+            }
+            Vec3 whole = Vec3::Zero();
+            const auto corners = complex.corners_of(f);
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                whole += cross_product(
+                    complex.position(corners[k]) - plane.origin,
+                    complex.position(corners[(k + 1) % corners.size()]) - plane.origin);
+            }
+            EXPECT_NEAR(area, length(whole), 1e-12 * h * h);
+        }
+    }
+}
+
+/// Law (2), and the law of cell_hulls().
+TEST(GrainSurface, HullsOfCellsClose) {
+    for (const testing::SpaceCase& c : few_cases()) {
+        SCOPED_TRACE(c.name);
+        const CellComplex complex = testing::complex_of(c);
+        const GrainSurface surface = surface_of(complex);
+        for (const CellHull& hull : cell_hulls(complex, surface)) {
+            std::set<std::pair<int, int>> edges;
+            for (const auto& t : hull.triangles) {
+                for (int k = 0; k < 3; ++k) {
+                    EXPECT_TRUE(edges.emplace(t[k], t[(k + 1) % 3]).second);
+                }
+            }
+            for (const auto& [a, b] : edges) EXPECT_TRUE(edges.contains({b, a}));
+            EXPECT_EQ(static_cast<int>(hull.points.size()) - static_cast<int>(edges.size()) / 2 +
+                          static_cast<int>(hull.triangles.size()),
+                      2);
+            EXPECT_TRUE(kernel_point(hull).has_value());
+        }
+    }
+}
+
+/// Law (3).
+TEST(GrainSurface, BytesDoNotDependOnThreads) {
+    const CellComplex complex = testing::complex_of(few_cases().back());
+    const GrainSurface one = surface_of(complex);
+    const GrainSurface four = surface_of(complex, 4);
+    ASSERT_EQ(one.nodes.size(), four.nodes.size());
+    for (std::size_t v = 0; v < one.nodes.size(); ++v) {
+        EXPECT_EQ(one.nodes[v].position, four.nodes[v].position);
+    }
+    EXPECT_EQ(one.triangles, four.triangles);
+}
+
+TEST(KernelPoint, IsNotFoundInAFoldedHull) {
+    // A cube whose corner is pushed through the opposite one.
+    CellHull hull;
+    for (int k = 0; k < 8; ++k) hull.points.emplace_back(k & 1, k >> 1 & 1, k >> 2);
+    hull.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                      {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    EXPECT_TRUE(kernel_point(hull).has_value());
+    hull.points[7] = Vec3(-1, -1, -1);
+    EXPECT_FALSE(kernel_point(hull).has_value());
+}
+
+}  // namespace
+}  // namespace pcvt::space
