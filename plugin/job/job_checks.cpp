@@ -121,11 +121,9 @@ void check_short_edges(const Job& job) {
 void check_aspect(const Job& job) {
     if (!job.aspect) return;
     try {
-        if (job.is_in_space()) {
-            reduce(space_metric_of(job).to_round(job.in_space().lattice));
-        } else {
-            reduce(metric_of(job).to_round(job.in_plane().lattice));
-        }
+        std::visit(
+            [&](const auto& domain) { metric_of(job, domain).require_reducible(domain.lattice); },
+            job.domain);
     } catch (const InvalidInput& error) {
         throw InvalidInput(std::string("elongated by the aspect: ") + error.what());
     }
@@ -137,8 +135,8 @@ void check_symmetry(const Job& job) {
     const plane::PlaneGroup group(*job.symmetry, job.in_plane().lattice);
     if (!job.aspect) return;
     try {
-        const plane::PlaneGroup round(*job.symmetry,
-                                      metric_of(job).to_round(job.in_plane().lattice));
+        const plane::PlaneGroup round(
+            *job.symmetry, metric_of(job, job.in_plane()).to_round(job.in_plane().lattice));
     } catch (const InvalidInput& error) {
         throw InvalidInput(std::string("elongated by the aspect: ") + error.what());
     }

@@ -181,7 +181,7 @@ CoincidenceDomain<plane::Points, Eigen::Matrix2d> coincidence_domain(const Job& 
                                                                      const PlaneDomain& domain,
                                                                      const plane::Points& given,
                                                                      double n_sites) {
-    const plane::Metric metric = metric_of(job);
+    const plane::Metric metric = metric_of(job, domain);
     // Sites on opposite walls do not coincide.
     const bool has_walls = job.walls != Walls::kNone && is_upright(domain.lattice);
     const plane::Lattice lattice =
@@ -197,7 +197,7 @@ CoincidenceDomain<space::Points, Eigen::Matrix3d> coincidence_domain(const Job& 
                                                                      const SpaceDomain& domain,
                                                                      const space::Points& given,
                                                                      double n_sites) {
-    const space::Metric metric = space_metric_of(job);
+    const space::Metric metric = metric_of(job, domain);
     const space::Lattice reduced = reduce(metric.to_round(domain.lattice)).reduced;
     Eigen::Matrix3d periods;
     periods << reduced.a(), reduced.b(), reduced.c();
@@ -251,7 +251,7 @@ void settle_duplicates(Job& job) {
     const bool are_distinct =
         std::visit([&](auto& domain) { return settle(job, domain); }, job.domain);
     if (!are_distinct || !job.is_in_space()) return;
-    const space::Metric metric = space_metric_of(job);
+    const space::Metric metric = metric_of(job, job.in_space());
     job.n_tetrahedra = space::expected_tetrahedra(space::Sites(
         metric.to_round(job.in_space().lattice), metric.to_round(job.in_space().points)));
 }

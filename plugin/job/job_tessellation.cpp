@@ -71,11 +71,11 @@ plane::Tessellation tessellate(const Job& job, JobStart& start, JobMonitor& moni
     });
 }
 
-plane::Metric metric_of(const Job& job) {
+plane::Metric metric_of(const Job& job, const PlaneDomain& /*domain*/) {
     return job.aspect ? plane::Metric(job.aspect->ratio, job.aspect->degrees) : plane::Metric();
 }
 
-space::Metric space_metric_of(const Job& job) {
+space::Metric metric_of(const Job& job, const SpaceDomain& /*domain*/) {
     return job.aspect ? space::Metric(job.aspect->ratio, job.aspect->axis) : space::Metric();
 }
 
@@ -117,7 +117,7 @@ std::vector<std::string> file_phases(const Job& job) {
 
 plane::Points progress_sites(const Job& job, const Progress& progress) {
     if (progress.positions == nullptr) return {};
-    const plane::Metric metric = metric_of(job);
+    const plane::Metric metric = metric_of(job, job.in_plane());
     plane::Points points = (*progress.positions)();
     for (auto p : points.colwise()) p = metric.from_round(p);
     return wrapped_points(std::move(points), job.in_plane().lattice, job.in_plane().origin,

@@ -16,9 +16,9 @@ namespace pcvt {
 plane::Tessellation tessellate(const Job& job, JobStart& start, JobMonitor& monitor,
                                const std::function<void()>& built);
 
-/// The metric of the job's aspect, of a job in the plane and in space.
-plane::Metric metric_of(const Job& job);
-space::Metric space_metric_of(const Job& job);
+/// The metric of the job's aspect, in the dimension of its domain.
+plane::Metric metric_of(const Job& job, const PlaneDomain& domain);
+space::Metric metric_of(const Job& job, const SpaceDomain& domain);
 /// The job with its lattice, sites and density mapped to the round space of a metric.
 Job in_round_space(const Job& job, const plane::Metric& metric);
 Job in_round_space(const Job& job, const space::Metric& metric);

@@ -151,7 +151,7 @@ void PlaneWorld::check_files(const Job& job, const std::vector<JobFile>& files,
 }
 
 Computation<PlaneWorld> PlaneWorld::compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
-    const plane::Metric metric = metric_of(job);
+    const plane::Metric metric = metric_of(job, job.in_plane());
     const std::optional<Job> round =
         metric.is_round() ? std::nullopt : std::optional(in_round_space(job, metric));
     // Start, optimise, and map back.

@@ -237,7 +237,7 @@ void SpaceWorld::check_files(const Job& job, const std::vector<JobFile>& files,
 }
 
 Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
-    const space::Metric metric = space_metric_of(job);
+    const space::Metric metric = metric_of(job, job.in_space());
     const std::optional<Job> mapped =
         metric.is_round() ? std::nullopt : std::optional(in_round_space(job, metric));
     const Job& round = mapped ? *mapped : job;

@@ -43,6 +43,8 @@ Lattice Metric::to_round(const Lattice& lattice) const {
     return {to_round(lattice.a()), to_round(lattice.b())};
 }
 
+void Metric::require_reducible(const Lattice& lattice) const { reduce(to_round(lattice)); }
+
 double Metric::largest_stretch() const { return std::sqrt(std::max(ratio_, 1 / ratio_)); }
 
 }  // namespace pcvt::plane

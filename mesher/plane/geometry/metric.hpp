@@ -43,6 +43,9 @@ class Metric {
     Points to_round(const Points& points) const;
     /// The lattice with the period vectors B a and B b.
     Lattice to_round(const Lattice& lattice) const;
+    /// Requires that the lattice can be reduced in the round space.
+    /// @throws InvalidInput as reduce() does.
+    void require_reducible(const Lattice& lattice) const;
     /// The largest factor by which to_round() multiplies a length.
     double largest_stretch() const;
 

@@ -62,6 +62,8 @@ Lattice Metric::to_round(const Lattice& lattice) const {
     return {to_round(lattice.a()), to_round(lattice.b()), to_round(lattice.c())};
 }
 
+void Metric::require_reducible(const Lattice& lattice) const { reduce(to_round(lattice)); }
+
 double Metric::largest_stretch() const {
     const double across = factor_across(ratio_);
     return std::max(across, across / ratio_);

@@ -47,6 +47,9 @@ class Metric {
     Points to_round(const Points& points) const;
     /// The lattice with the period vectors B a, B b and B c.
     Lattice to_round(const Lattice& lattice) const;
+    /// Requires that the lattice can be reduced in the round space.
+    /// @throws InvalidInput as reduce() does.
+    void require_reducible(const Lattice& lattice) const;
     /// Half of the sides of a box along the axes that contains the image of a box.
     Vec3 box_to_round(const Vec3& half) const { return product(b_.cwiseAbs(), half); }
     /// The largest factors by which to_round() and from_round() multiply a length.
