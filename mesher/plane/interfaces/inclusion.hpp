@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "mesher/base/error.hpp"
-#include "mesher/plane/geometry/mirror_image.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
+#include "mesher/plane/interfaces/mirror_image.hpp"
 
 namespace pcvt::plane {
 
