@@ -44,6 +44,21 @@ struct VoxelGrid {
     }
 };
 
+/// The sites whose cells an image shows.
+template <class Lattice, class Metric>
+struct VoxelCells {
+    /// The period vectors of the sites, in the frame of the image.
+    Lattice lattice;
+    /// D x n, length units; need not be wrapped.
+    typename Lattice::Points sites;
+    /// length^2, one a site; empty without weights.
+    Eigen::VectorXd weights = {};
+    /// Elongated cells: the metric in which they are the cells of their sites.
+    Metric metric = {};
+
+    int n_cells() const { return static_cast<int>(sites.cols()); }
+};
+
 /// Solvers by Fourier transforms refuse a single voxel along x.
 inline constexpr int kLeastVoxels = 2;
 inline constexpr int kMostVoxelsOfARow = 1 << 20;

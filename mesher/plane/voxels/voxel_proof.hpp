@@ -4,19 +4,7 @@
 
 namespace pcvt::plane {
 
-/// The sites whose cells an image shows.
-struct VoxelCells {
-    /// The period vectors of the sites, in the plane of the image.
-    Lattice lattice;
-    /// 2 x n, length units; need not be wrapped.
-    Points sites;
-    /// length^2, one a site; empty without weights.
-    Eigen::VectorXd weights = {};
-    Metric metric = {};
-
-    int n_cells() const { return static_cast<int>(sites.cols()); }
-};
-
+using VoxelCells = pcvt::VoxelCells<Lattice, Metric>;
 using pcvt::kVoxelTolerance;
 using pcvt::VoxelProof;
 

@@ -4,18 +4,7 @@
 
 namespace pcvt::space {
 
-/// The sites whose cells an image shows.
-struct VoxelCells {
-    Lattice lattice;
-    /// 3 x n, length units; need not be wrapped.
-    Points sites;
-    /// length^2, one a site; empty without weights.
-    Eigen::VectorXd weights = {};
-    /// Elongated cells: the metric in which they are the cells of their sites.
-    Metric metric = {};
-
-    int n_cells() const { return static_cast<int>(sites.cols()); }
-};
+using VoxelCells = pcvt::VoxelCells<Lattice, Metric>;
 
 /// Proves the image from only the positions of the sites, in doubles, without a triangulation:
 ///   (1) Each voxel names a site from 0 to n - 1.
