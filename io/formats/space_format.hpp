@@ -47,7 +47,7 @@ struct SpaceFormat {
     std::vector<std::string> (*paths)(const std::string& path) = single_path;
     /// Encodes a tile of polyhedra, and of tetrahedra; both null: the file holds the sites,
     /// a table of the cells, or voxels.
-    std::vector<EncodedFile> (*encode)(const SpaceTile& tile, SurfaceForm surfaces,
+    std::vector<EncodedFile> (*encode)(const SpaceTile& tile, const FileOptions& options,
                                        const std::string& path) = nullptr;
     std::vector<EncodedFile> (*encode_tetrahedra)(const space::TetrahedralMesh& mesh,
                                                   const std::string& path) = nullptr;
