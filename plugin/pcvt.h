@@ -119,6 +119,8 @@ enum { PCVT_SURFACE_CELLS = 0, PCVT_SURFACE_BOUNDARY = 1 };
 enum { PCVT_COLOUR_DEFAULT = 0, PCVT_COLOUR_SIDES = 1, PCVT_COLOUR_SIZE = 2 };
 enum { PCVT_COLOUR_CELLS = 3, PCVT_COLOUR_DENSITY = 4, PCVT_COLOUR_PHASE = 5 };
 enum { PCVT_COLOUR_ORBIT = 6, PCVT_COLOUR_TAG = 7 };
+/* In three dimensions, of SIZE, CELLS, PHASE and these: */
+enum { PCVT_COLOUR_FACES = 8, PCVT_COLOUR_ORIENTATION = 9 };
 
 /** The plane group of drawn sites (International Tables A). Any lattice fits P1 and P2. */
 enum { PCVT_SYMMETRY_NONE = 0, PCVT_SYMMETRY_P1 = 1, PCVT_SYMMETRY_P2 = 2 };

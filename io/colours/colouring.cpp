@@ -1,25 +1,24 @@
 #include "io/colours/colouring.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
+#include <utility>
 
+#include "io/colours/cell_colours.hpp"
 #include "io/colours/site_classes.hpp"
+#include "io/colours/value_classes.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/plane/geometry/face_polygon.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/mesh/valence.hpp"
 #include "mesher/plane/tile/tile_valence.hpp"
-#include "mesher/portable/decimal_text.hpp"
 #include "mesher/portable/portable_functions.hpp"
 
 namespace pcvt {
 namespace {
 
-/// The width of the finest classes, in octaves.
-constexpr double kFinestClass = 1.0 / 16;
 /// Replaces relative areas that rounding made zero or negative.
 constexpr double kLeastShare = 1e-12;
 
@@ -27,13 +26,6 @@ static_assert(kSiteClasses == kCellColours);
 
 const std::vector<SiteId>& owners(const plane::Tile& tile) {
     return faces_have_sites(tile.kind) ? tile.face_site : tile.vertex_site;
-}
-
-std::string rounded(double value, int digits) {
-    std::array<char, 32> text;
-    char* const end = write_decimal(text.data(), text.data() + text.size(), value,
-                                    std::chars_format::general, digits);
-    return {text.data(), end};
 }
 
 /// Returns the area of each site's cell, over all faces of the cell, or a third of the area of the
@@ -52,45 +44,15 @@ std::map<SiteId, double> site_areas(const plane::Tile& tile) {
     return areas;
 }
 
-/// The words of a legend of values.
-struct ValueWords {
-    /// The beginning of the classes' names, before their number.
-    std::string name;
-    int digits;
-    /// Follows the values.
-    std::string unit;
-};
-
 /// Returns classes of one ratio for values that are given by their logarithms to the base 2.
 TileColours colours_by_value(const plane::Tile& tile, const std::map<SiteId, double>& octaves,
                              const ValueWords& words) {
-    double least = octaves.begin()->second;
-    double most = least;
-    for (const auto& [site, octave] : octaves) {
-        least = std::min(least, octave);
-        most = std::max(most, octave);
-    }
-    // The finest classes that cover the range.
-    double width = kFinestClass;
-    while (most - least > width * (kValueClasses - 1)) width *= 2;
-    const int lowest = static_cast<int>(std::floor(least / width));
-    const auto index = [&](double octave) {
-        return static_cast<int>(std::floor(octave / width)) - lowest;
-    };
-    const int last = index(most);
-    std::vector<int> count(static_cast<std::size_t>(last) + 1, 0);
-    for (const auto& [site, octave] : octaves) ++count[index(octave)];
-    // One class per owner, one label per class.
-    TileColours colours;
-    for (const SiteId site : owners(tile)) colours.class_of.push_back(index(octaves.at(site)));
-    for (int k = 0; k <= last; ++k) {
-        const auto bound = [&](int c) {
-            return rounded(std::exp2((lowest + c) * width), words.digits);
-        };
-        colours.classes.push_back({.colour = value_colour(last == 0 ? 1 : double(k) / last),
-                                   .name = words.name + "_" + std::to_string(k),
-                                   .label = bound(k) + " to " + bound(k + 1) + words.unit + ": " +
-                                            std::to_string(count[k])});
+    std::vector<double> values;
+    for (const auto& [site, octave] : octaves) values.push_back(octave);
+    const ValueClasses classes(values, words);
+    TileColours colours{.class_of = {}, .classes = classes.classes(), .explanation = {}};
+    for (const SiteId site : owners(tile)) {
+        colours.class_of.push_back(classes.of(octaves.at(site)));
     }
     return colours;
 }
@@ -137,6 +99,8 @@ bool are_there(ColouringNeed needs, const SiteQuantities& quantities) {
             return has_phases(quantities);
         case ColouringNeed::kOrbits:
             return !quantities.orbits.empty();
+        case ColouringNeed::kOrientations:
+            break;
     }
     return false;
 }
@@ -168,12 +132,16 @@ TileColours colours_by_size(const plane::Tile& tile, const SiteQuantities&) {
     return colours;
 }
 
-TileColours colours_by_cells(const plane::Tile& tile, const SiteQuantities&) {
-    TileColours colours{.class_of = site_classes(tile), .classes = {}, .explanation = {}};
+TileColours cell_classes(std::vector<int> class_of) {
+    TileColours colours{.class_of = std::move(class_of), .classes = {}, .explanation = {}};
     for (int k = 0; k < kCellColours; ++k) {
         colours.classes.push_back({cell_colour(k), "cell_colour_" + std::to_string(k), ""});
     }
     return colours;
+}
+
+TileColours colours_by_cells(const plane::Tile& tile, const SiteQuantities&) {
+    return cell_classes(site_classes(tile));
 }
 
 TileColours colours_by_density(const plane::Tile& tile, const SiteQuantities& quantities) {
@@ -188,21 +156,7 @@ TileColours colours_by_density(const plane::Tile& tile, const SiteQuantities& qu
 }
 
 TileColours colours_by_phase(const plane::Tile& tile, const SiteQuantities& quantities) {
-    const CellMaterials& materials = *quantities.materials;
-    const std::vector<int>& phases = materials.site_phase;
-    TileColours colours{.class_of = {}, .classes = {}, .explanation = " by phase"};
-    for (const SiteId site : owners(tile)) {
-        colours.class_of.push_back(phases[static_cast<std::size_t>(site) % phases.size()]);
-    }
-    // The cells of one period.
-    for (int k = 0; k < static_cast<int>(materials.phase_names.size()); ++k) {
-        const std::string& name = materials.phase_names[k];
-        colours.classes.push_back(
-            {.colour = cell_colour(k % kCellColours),
-             .name = phase_group(name),
-             .label = name + ": " + std::to_string(std::count(phases.begin(), phases.end(), k))});
-    }
-    return colours;
+    return phase_classes(*quantities.materials, owners(tile));
 }
 
 TileColours colours_by_tag(const plane::Tile& tile, const SiteQuantities& quantities) {
@@ -238,7 +192,7 @@ TileColours colours_by_orbit(const plane::Tile& tile, const SiteQuantities& quan
 TileColours tile_colours(const plane::Tile& tile, Colouring colouring,
                          const SiteQuantities& quantities) {
     const ColouringRow& row = colouring_row(colouring);
-    if (!are_there(row.needs, quantities)) {
+    if (row.colours == nullptr || !are_there(row.needs, quantities)) {
         throw InternalError(std::string("there is no ") + row.word + " to show in colours");
     }
     return row.colours(tile, quantities);

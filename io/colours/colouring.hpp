@@ -14,10 +14,20 @@
 namespace pcvt {
 
 /// The quantity that the colours of a tile show.
-enum class Colouring { kSides, kSize, kCells, kDensity, kPhase, kOrbit, kTag };
+enum class Colouring {
+    kSides,
+    kSize,
+    kCells,
+    kDensity,
+    kPhase,
+    kOrbit,
+    kTag,
+    kFaces,
+    kOrientation
+};
 
 /// The quantity that a run must have besides its tile, so that colours can show it.
-enum class ColouringNeed { kNothing, kDensity, kPhases, kOrbits, kTags };
+enum class ColouringNeed { kNothing, kDensity, kPhases, kOrbits, kTags, kOrientations };
 
 /// One colour of a tile.
 struct ColourClass {
@@ -72,6 +82,10 @@ TileColourer colours_by_orbit;
 /// By the tag of each cell, which is its phase, in a run with inclusions.
 TileColourer colours_by_tag;
 
+/// The colours of faces or sites of these classes, 0 ... kCellColours - 1, which have no other
+/// meaning.
+TileColours cell_classes(std::vector<int> class_of);
+
 /// One row of the table of colourings.
 struct ColouringRow {
     Colouring colouring;
@@ -81,7 +95,10 @@ struct ColouringRow {
     ColouringNeed needs;
     /// Whether colours are classes of values. Such cells have dark edges and no dots.
     bool shows_values;
+    /// Of a tile in the plane; null for cells in space only, which cell_colours() colours.
     TileColourer* colours;
+    bool in_plane = true;
+    bool in_space = false;
 };
 
 /// In the order of the enumerators.
@@ -96,13 +113,15 @@ inline constexpr std::array kColourings{ColouringRow{.colouring = Colouring::kSi
                                                      .abi_value = 2,
                                                      .needs = ColouringNeed::kNothing,
                                                      .shows_values = true,
-                                                     .colours = colours_by_size},
+                                                     .colours = colours_by_size,
+                                                     .in_space = true},
                                         ColouringRow{.colouring = Colouring::kCells,
                                                      .word = "cells",
                                                      .abi_value = 3,
                                                      .needs = ColouringNeed::kNothing,
                                                      .shows_values = false,
-                                                     .colours = colours_by_cells},
+                                                     .colours = colours_by_cells,
+                                                     .in_space = true},
                                         ColouringRow{.colouring = Colouring::kDensity,
                                                      .word = "density",
                                                      .abi_value = 4,
@@ -114,7 +133,8 @@ inline constexpr std::array kColourings{ColouringRow{.colouring = Colouring::kSi
                                                      .abi_value = 5,
                                                      .needs = ColouringNeed::kPhases,
                                                      .shows_values = false,
-                                                     .colours = colours_by_phase},
+                                                     .colours = colours_by_phase,
+                                                     .in_space = true},
                                         ColouringRow{.colouring = Colouring::kOrbit,
                                                      .word = "orbit",
                                                      .abi_value = 6,
@@ -126,7 +146,23 @@ inline constexpr std::array kColourings{ColouringRow{.colouring = Colouring::kSi
                                                      .abi_value = 7,
                                                      .needs = ColouringNeed::kTags,
                                                      .shows_values = false,
-                                                     .colours = colours_by_tag}};
+                                                     .colours = colours_by_tag},
+                                        ColouringRow{.colouring = Colouring::kFaces,
+                                                     .word = "faces",
+                                                     .abi_value = 8,
+                                                     .needs = ColouringNeed::kNothing,
+                                                     .shows_values = false,
+                                                     .colours = nullptr,
+                                                     .in_plane = false,
+                                                     .in_space = true},
+                                        ColouringRow{.colouring = Colouring::kOrientation,
+                                                     .word = "orientation",
+                                                     .abi_value = 9,
+                                                     .needs = ColouringNeed::kOrientations,
+                                                     .shows_values = false,
+                                                     .colours = nullptr,
+                                                     .in_plane = false,
+                                                     .in_space = true}};
 
 constexpr const ColouringRow& colouring_row(Colouring colouring) {
     return kColourings[static_cast<std::size_t>(colouring)];

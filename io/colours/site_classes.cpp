@@ -151,4 +151,9 @@ std::vector<int> site_classes(const plane::Tile& tile, std::span<const int> site
     return result;
 }
 
+std::vector<int> classes_of_neighbours(std::vector<std::pair<SiteId, SiteId>> pairs, SiteId n) {
+    finish(pairs);
+    return classes(SiteGraph(std::move(pairs), n));
+}
+
 }  // namespace pcvt

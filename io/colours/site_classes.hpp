@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "mesher/plane/tile/tile.hpp"
@@ -21,5 +22,11 @@ inline constexpr int kSiteClasses = 7;
 ///                    groups are the orbits of a plane group, whose quotient of the torus needs no
 ///                    more classes than the torus. Empty: each site is a group.
 std::vector<int> site_classes(const plane::Tile& tile, std::span<const int> site_group = {});
+
+/// Returns the classes of the nodes 0 ... n - 1 of a graph of neighbours, as site_classes() does.
+/// Cells in space may have more than six earlier neighbours; where these have all classes, a cell
+/// has one of them.
+/// @param pairs  neighbours, in any order.
+std::vector<int> classes_of_neighbours(std::vector<std::pair<SiteId, SiteId>> pairs, SiteId n);
 
 }  // namespace pcvt

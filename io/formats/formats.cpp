@@ -48,9 +48,12 @@ constexpr std::array<Format, 17> kFormats{{
      .memory = {900, 280, 250},
      .space = SpaceFormat{.surfaces = FormatSurfaces::kChosen,
                           .memory = 7000,
+                          .takes = {.colouring = true, .phases = true, .orientations = true},
                           .paths = obj_mesh_paths,
                           .encode = space_rows::encode_surfaces<encode_obj_mesh, SeamForm::kLines>,
-                          .kind = space_rows::surfaces_kind<decode_obj_surfaces>}},
+                          .kind = space_rows::surfaces_kind<decode_obj_surfaces>,
+                          .states_materials = true,
+                          .states_weights = true}},
     {.extension = ".ply",
      .description = "PLY, ASCII with double coordinates, or float with --float32",
      .write = encode_ply,
@@ -61,8 +64,11 @@ constexpr std::array<Format, 17> kFormats{{
      .space =
          SpaceFormat{.surfaces = FormatSurfaces::kChosen,
                      .memory = 8500,
+                     .takes = {.colouring = true, .phases = true, .orientations = true},
                      .encode = space_rows::encode_surfaces<encode_ply_mesh, SeamForm::kColumns>,
-                     .kind = space_rows::surfaces_kind<decode_ply_surfaces>}},
+                     .kind = space_rows::surfaces_kind<decode_ply_surfaces>,
+                     .states_materials = true,
+                     .states_weights = true}},
     {.extension = ".glb",
      .description = "glTF 2.0, one binary file",
      .write = encode_glb,
@@ -73,11 +79,12 @@ constexpr std::array<Format, 17> kFormats{{
      .takes = {.gltf_nodes = true, .colouring = true, .phases = true},
      .memory = {985, 280, 240},
      .space =
-         SpaceFormat{
-             .surfaces = FormatSurfaces::kChosen,
-             .memory = 15200,
-             .encode = space_rows::encode_triangles,
-             .kind = space_rows::kind_where<SpaceFileKind::kTriangles, holds_glb_surfaces>}},
+         SpaceFormat{.surfaces = FormatSurfaces::kChosen,
+                     .memory = 15200,
+                     .takes = {.colouring = true, .phases = true, .orientations = true},
+                     .encode = space_rows::encode_triangles,
+                     .kind = space_rows::kind_where<SpaceFileKind::kTriangles, holds_glb_surfaces>,
+                     .states_materials = true}},
     {.extension = ".gltf",
      .description = "glTF 2.0, one text file",
      .write = encode_gltf,
@@ -147,20 +154,25 @@ constexpr std::array<Format, 17> kFormats{{
                           .compare_tetrahedra = compare_vtu_tetrahedra,
                           .states_materials = true,
                           .states_weights = true,
+                          .states_metric = true,
                           .states_short_edges = true}},
     {.extension = ".svg",
      .description = "a picture, or with --cut lines for cutters",
      .write = plane_rows::write_svg,
      .takes = {.cut_width = true, .colouring = true, .background = true, .phases = true},
      .memory = {710, 285, 395},
-     .space = SpaceFormat{.memory = 5700, .encode = space_rows::encode_volumes<encode_space_svg>}},
+     .space = SpaceFormat{.memory = 5700,
+                          .takes = {.colouring = true, .phases = true, .orientations = true},
+                          .encode = space_rows::encode_picture<encode_space_svg>}},
     {.extension = ".png",
      .description = "an image of one period that repeats without a seam",
      .write = encode_tile_png,
      .check = plane_rows::require_image_size,
      .takes = {.pixels = true, .colouring = true, .phases = true},
      .memory = {930, 510, 520},
-     .space = SpaceFormat{.memory = 5700, .encode = space_rows::encode_volumes<encode_space_png>}},
+     .space = SpaceFormat{.memory = 5700,
+                          .takes = {.colouring = true, .phases = true, .orientations = true},
+                          .encode = space_rows::encode_picture<encode_space_png>}},
     {.extension = ".dxf",
      .description = "DXF R12 with each edge once, for cutters",
      .write = encode_dxf,
@@ -185,9 +197,11 @@ constexpr std::array<Format, 17> kFormats{{
      .states_materials = true,
      .memory = {1900, 1080, 815},
      .space = SpaceFormat{.memory = 6900,
+                          .takes = {.phases = true, .orientations = true},
                           .paths = foam_paths<FoamCells::kPolyhedra>,
                           .encode = space_rows::encode_volumes<space_rows::encode_polyhedra>,
                           .kind = space_rows::case_kind,
+                          .states_materials = true,
                           .states_short_edges = true}},
     {.extension = ".nc",
      .description =
@@ -303,6 +317,11 @@ std::string short_edges_extensions() {
 std::string weight_extensions() {
     return listed_extensions(
         [](const SpaceFormat& format) { return format.takes_weights(plane::MeshKind::kVoronoi); });
+}
+
+std::string metric_extensions() {
+    return listed_extensions(
+        [](const SpaceFormat& format) { return format.takes_metric(plane::MeshKind::kVoronoi); });
 }
 
 std::string surface_extensions() {

@@ -201,6 +201,8 @@ std::string tetrahedra_extensions();
 std::string short_edges_extensions();
 /// Returns those that take power cells, ".vtu, .csv or .txt".
 std::string weight_extensions();
+/// Returns those that take elongated cells.
+std::string metric_extensions();
 /// Returns those whose form FileOptions::surfaces chooses, ".obj, .ply or .glb".
 std::string surface_extensions();
 

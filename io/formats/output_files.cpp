@@ -148,7 +148,7 @@ void add_files(const std::string& path, const SpaceRequest& run, Meshes meshes,
     }
     if (run.has_metric && !format.space->takes_metric(mesh)) {
         throw InvalidInput(path + ": such files cannot state the aspect of elongated cells; take " +
-                           weight_extensions());
+                           metric_extensions());
     }
     if (format.space->takes.voxels) {
         naming_path(path,

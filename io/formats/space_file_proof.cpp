@@ -30,11 +30,13 @@ SurfaceList decode_surfaces(const EncodedFile& file) {
     return is_obj ? decode_obj_surfaces(file) : decode_ply_surfaces(file);
 }
 
-space::TileSurface decode_boundary(const EncodedFile& file) {
-    if (lower_case_extension(file.path) == ".om") return decode_om_boundary(file);
+SurfaceList decode_boundary(const EncodedFile& file) {
+    if (lower_case_extension(file.path) == ".om") {
+        return {SurfaceForm::kBoundary, decode_om_boundary(file)};
+    }
     SurfaceList list = decode_surfaces(file);
     require_faces(list, file.path);
-    return std::move(list.surface);
+    return list;
 }
 
 /// Encodes surfaces that were read from a file in the format of its path.
@@ -57,7 +59,8 @@ bool holds_same_triangles(const EncodedFile& glb, const SpaceTile& tile) {
     const GlbSurfaces found = decode_glb_surfaces(glb);
     require_same_surfaces(found, surface_of(tile, found.list.form));
     const space::TileSurface& surface = found.list.surface;
-    if (surface.lattice.periods() != tile.mesh.lattice.periods() || surface.sites != tile.sites) {
+    if (surface.lattice.periods() != tile.mesh.lattice.periods() || surface.sites != tile.sites ||
+        found.list.materials != tile.materials) {
         return false;
     }
     try {
@@ -78,28 +81,46 @@ bool is_own_vtu(const EncodedFile& file) {
     return is_vtu(file) && file.bytes.find(kPolyhedraVtuMark) != std::string::npos;
 }
 
-SpaceTile decode(const std::vector<EncodedFile>& files, double tolerance) {
-    if (is_foam_of_polyhedra(files)) return decode_foam_polyhedra(files, tolerance);
-    if (is_vtu(files.front())) return decode_vtu_polyhedra(files.front(), tolerance);
+/// A tile, and what the colours of its file show.
+struct DecodedTile {
+    SpaceTile tile;
+    Colouring colouring = Colouring::kFaces;
+};
+
+DecodedTile decode(const std::vector<EncodedFile>& files, double tolerance) {
+    if (is_foam_of_polyhedra(files)) return {decode_foam_polyhedra(files, tolerance)};
+    if (is_vtu(files.front())) return {decode_vtu_polyhedra(files.front(), tolerance)};
     SurfaceList list = decode_surfaces(files.front());
-    space::Points sites = list.surface.sites;
-    return {assembled_cells(std::move(list), files.front().path), std::move(sites)};
+    SpaceTile tile{.mesh = {{}, list.surface.lattice}};
+    tile.sites = list.surface.sites;
+    tile.weights = std::move(list.weights);
+    tile.materials = std::move(list.materials);
+    const Colouring colouring = list.colouring;
+    tile.mesh = assembled_cells(std::move(list), files.front().path);
+    return {std::move(tile), colouring};
+}
+
+/// The materials that the files of a tile state.
+CellMaterials stated_materials(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
+    const Format* const format = find_format(files.front().path);
+    const bool states_them =
+        is_foam_of_polyhedra(files) || (format != nullptr && format->space->states_materials);
+    return states_them ? tile.materials : CellMaterials();
 }
 
 bool holds_same_boundary(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
-    const space::TileSurface found = prove_boundary_files(files).surface;
+    const BoundaryFileProof read = prove_boundary_files(files);
+    const space::TileSurface& found = read.surface;
     const space::TileSurface wanted = tile_surface(tile.mesh, tile.sites);
     return found.points == wanted.points && found.faces == wanted.faces &&
            found.cell == wanted.cell && found.partner == wanted.partner &&
-           found.offset == wanted.offset && found.sites == wanted.sites;
+           found.offset == wanted.offset && found.sites == wanted.sites &&
+           read.materials == stated_materials(files, tile);
 }
 
 bool holds_same_cells(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
     const SpaceTile found = prove_space_files(files).tile;
-    const Format* const format = find_format(files.front().path);
-    const bool states_materials = format != nullptr && format->space->states_materials;
-    const CellMaterials stated = states_materials ? tile.materials : CellMaterials();
-    return found.materials == stated && found.weights == tile.weights &&
+    return found.materials == stated_materials(files, tile) && found.weights == tile.weights &&
            found.mesh.metric == tile.mesh.metric && found.mesh.points == tile.mesh.points &&
            found.sites == tile.sites && found.mesh.point_orbit == tile.mesh.point_orbit &&
            found.mesh.point_offset == tile.mesh.point_offset;
@@ -120,7 +141,8 @@ bool holds_same(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
 }  // namespace
 
 SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double tolerance) {
-    SpaceFileProof result{.tile = decode(files, tolerance), .proof = {}, .sites = {}};
+    DecodedTile decoded = decode(files, tolerance);
+    SpaceFileProof result{.tile = std::move(decoded.tile), .proof = {}, .sites = {}};
     const SpaceTile& tile = result.tile;
     result.proof = prove_polyhedra(tile.mesh, tolerance);
     if (tile.sites.cols() > 0) result.sites = prove_cell_sites(tile.mesh, tile.sites, tile.weights);
@@ -129,7 +151,8 @@ SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double t
     }
     const std::string extension = lower_case_extension(files.front().path);
     if (extension == ".obj" || extension == ".ply") {
-        SurfaceList list = surface_list(tile.mesh, tile.sites, SurfaceForm::kCells);
+        SurfaceList list = with_materials(surface_list(tile.mesh, tile.sites, SurfaceForm::kCells),
+                                          tile, decoded.colouring);
         require_same_bytes(files, encode_again(std::move(list), files.front().path));
     }
     if (is_own_vtu(files.front())) {
@@ -139,10 +162,10 @@ SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double t
 }
 
 BoundaryFileProof prove_boundary_files(const std::vector<EncodedFile>& files) {
-    BoundaryFileProof result{.surface = decode_boundary(files.front()), .proof = {}};
-    result.proof = prove_surface(result.surface);
-    require_same_bytes(files,
-                       encode_again({SurfaceForm::kBoundary, result.surface}, files.front().path));
+    SurfaceList list = decode_boundary(files.front());
+    BoundaryFileProof result{
+        .surface = list.surface, .materials = list.materials, .proof = prove_surface(list.surface)};
+    require_same_bytes(files, encode_again(std::move(list), files.front().path));
     return result;
 }
 

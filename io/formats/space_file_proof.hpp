@@ -34,6 +34,8 @@ SpaceFileProof prove_space_files(const std::vector<EncodedFile>& files, double t
 /// The boundary of a tile in a file, and the figures that its proof finds.
 struct BoundaryFileProof {
     space::TileSurface surface;
+    /// Of the cells behind the boundary, where the file states some.
+    CellMaterials materials = {};
     space::SurfaceProof proof;
 };
 

@@ -47,7 +47,7 @@ struct SpaceFormat {
     std::vector<std::string> (*paths)(const std::string& path) = single_path;
     /// Encodes a tile of polyhedra, and of tetrahedra; both null: the file holds the sites,
     /// a table of the cells, or voxels.
-    std::vector<EncodedFile> (*encode)(const SpaceTile& tile, SurfaceForm surfaces,
+    std::vector<EncodedFile> (*encode)(const SpaceTile& tile, const FileOptions& options,
                                        const std::string& path) = nullptr;
     std::vector<EncodedFile> (*encode_tetrahedra)(const space::TetrahedralMesh& mesh,
                                                   const std::string& path) = nullptr;
@@ -66,6 +66,9 @@ struct SpaceFormat {
     /// Whether its cells state SpaceTile::weights and PolyhedralMesh::metric, without which power
     /// cells and elongated cells are not proved.
     bool states_weights = false;
+    /// Whether its cells state PolyhedralMesh::metric, without which elongated cells are not
+    /// proved.
+    bool states_metric = false;
     /// Whether its cells state PolyhedralMesh::short_edges, without which no tile is proved that
     /// lost edges.
     bool states_short_edges = false;
@@ -88,10 +91,10 @@ struct SpaceFormat {
         if (shows_tetrahedra(mesh)) return false;
         return states_weights || encode == nullptr || is_picture();
     }
-    /// Whether it takes elongated cells: tetrahedra, or as power cells, because the same formats
-    /// state weights and PolyhedralMesh::metric.
+    /// Whether it takes elongated cells: a picture, a table or a list of sites, tetrahedra, or
+    /// cells that state their metric.
     bool takes_metric(plane::MeshKind mesh) const {
-        return shows_tetrahedra(mesh) || takes_weights(mesh);
+        return shows_tetrahedra(mesh) || states_metric || encode == nullptr || is_picture();
     }
     bool shows_boundary(SurfaceForm chosen) const {
         return surfaces == FormatSurfaces::kBoundary ||

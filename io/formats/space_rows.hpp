@@ -29,7 +29,7 @@ namespace pcvt::space_rows {
 
 /// Encodes volumes, which have one form.
 template <auto kEncode>
-std::vector<EncodedFile> encode_volumes(const SpaceTile& tile, SurfaceForm,
+std::vector<EncodedFile> encode_volumes(const SpaceTile& tile, const FileOptions&,
                                         const std::string& path) {
     return kEncode(tile, path);
 }
@@ -48,19 +48,34 @@ inline std::vector<EncodedFile> encode_entities(const space::TetrahedralMesh& me
     return encode_msh(entity_mesh(mesh), path);
 }
 
+/// Encodes a picture.
+template <auto kEncode>
+std::vector<EncodedFile> encode_picture(const SpaceTile& tile, const FileOptions& options,
+                                        const std::string& path) {
+    return kEncode(tile, options.colouring.value_or(default_colouring(tile.materials)), path);
+}
+
+/// The surfaces of a tile that the options choose.
+inline SurfaceList chosen_surfaces(const SpaceTile& tile, const FileOptions& options) {
+    SurfaceList list = surface_list(tile.mesh, tile.sites, options.surfaces);
+    const bool are_cells = options.surfaces == SurfaceForm::kCells;
+    return with_materials(std::move(list), tile,
+                          are_cells ? options.colouring.value_or(default_colouring(tile.materials))
+                                    : Colouring::kFaces);
+}
+
 template <auto kEncode, SeamForm kSeam>
-std::vector<EncodedFile> encode_surfaces(const SpaceTile& tile, SurfaceForm surfaces,
+std::vector<EncodedFile> encode_surfaces(const SpaceTile& tile, const FileOptions& options,
                                          const std::string& path) {
-    SurfaceList list = surface_list(tile.mesh, tile.sites, surfaces);
-    return kEncode(surface_mesh(std::move(list), kSeam), path);
+    return kEncode(surface_mesh(chosen_surfaces(tile, options), kSeam), path);
 }
 
-inline std::vector<EncodedFile> encode_triangles(const SpaceTile& tile, SurfaceForm surfaces,
+inline std::vector<EncodedFile> encode_triangles(const SpaceTile& tile, const FileOptions& options,
                                                  const std::string& path) {
-    return encode_glb_surfaces(surface_list(tile.mesh, tile.sites, surfaces), path);
+    return encode_glb_surfaces(chosen_surfaces(tile, options), path);
 }
 
-inline std::vector<EncodedFile> encode_boundary(const SpaceTile& tile, SurfaceForm,
+inline std::vector<EncodedFile> encode_boundary(const SpaceTile& tile, const FileOptions&,
                                                 const std::string& path) {
     return encode_om_boundary(tile_surface(tile.mesh, tile.sites), path);
 }

@@ -6,6 +6,14 @@
 
 namespace pcvt {
 
+void append_lines(std::string& text, std::string_view mark, std::string_view lines) {
+    while (!lines.empty()) {
+        const std::size_t length = lines.find('\n') + 1;
+        (text += mark) += lines.substr(0, length);
+        lines.remove_prefix(length);
+    }
+}
+
 void append_note(std::string& text, std::string_view mark, const NoteTable& note, int index_base) {
     if (note.word.empty()) return;
     const std::size_t width = note.width > 0 ? note.width : kSitesALine;

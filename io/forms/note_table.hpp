@@ -39,6 +39,9 @@ struct NoteTable {
     const std::vector<double>& reals() const { return std::get<std::vector<double>>(numbers); }
 };
 
+/// Appends lines, each behind `mark`.
+void append_lines(std::string& text, std::string_view mark, std::string_view lines);
+
 /// Appends the lines `MARKword number number ...` of a note; none without a word or numbers.
 /// @param index_base  the number that the file gives to index 0.
 void append_note(std::string& text, std::string_view mark, const NoteTable& note, int index_base);

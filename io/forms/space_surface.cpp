@@ -1,17 +1,17 @@
 #include "io/forms/space_surface.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <utility>
 
+#include "io/colours/cell_colours.hpp"
+#include "io/forms/material_words.hpp"
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/cells/set_names.hpp"
 
 namespace pcvt {
 namespace {
-
-/// Truncated octahedra have this many faces; like hexagons they are pale, and others stand out.
-constexpr int kUsualFaces = 14;
-constexpr int kUsualSides = 6;
 
 constexpr const char* kCellsExplanation =
     "A periodic tile of polyhedra, written by pcvt. Comments that begin with \"# pcvt\" hold:\n"
@@ -27,9 +27,26 @@ constexpr const char* kBoundaryExplanation =
     "  face_pair f g i j k                  face f + i a + j b + k c is face g, from 1\n"
     "Each group is a side of the seam.\n";
 
-const char* explanation_of(SurfaceForm form, SeamForm seam) {
-    const bool is_boundary = form == SurfaceForm::kBoundary;
-    if (seam == SeamForm::kLines) return is_boundary ? kBoundaryExplanation : kCellsExplanation;
+constexpr const char* kWeightsExplanation =
+    "The weights of the sites are lengths squared: a cell has the points p with the least\n"
+    "|p - site|^2 - weight.\n";
+
+/// The words of a list that are no numbers.
+std::string statements_of(const SurfaceList& list) {
+    std::string text;
+    if (list.colouring != Colouring::kFaces) {
+        text = std::string("colouring ") + colouring_row(list.colouring).word + "\n";
+    }
+    append_materials(text, "", list.materials);
+    return text;
+}
+
+std::string explanation_of(const SurfaceList& list, SeamForm seam) {
+    const bool is_boundary = list.form == SurfaceForm::kBoundary;
+    if (seam == SeamForm::kLines) {
+        std::string text = is_boundary ? kBoundaryExplanation : kCellsExplanation;
+        return list.weights.size() > 0 ? text + kWeightsExplanation : text;
+    }
     return is_boundary ? "The boundary of a periodic tile of polyhedra, written by pcvt\n"
                        : "The cells of a periodic tile of polyhedra, written by pcvt\n";
 }
@@ -43,24 +60,49 @@ void add_groups(SurfaceMesh& mesh, const Key& key) {
     }
 }
 
-void add_cells(SurfaceMesh& mesh, const std::vector<SiteId>& cell) {
-    add_groups(mesh, [&](int f) { return cell[f]; });
-    const auto n_faces = [&](std::size_t g) {
-        return mesh.group_end(g) - mesh.groups[g].first_face;
+/// The volumes of the cells, one a group, as fans of triangles from a corner of the cell.
+/// @param is_single  whether a file holds the points in single precision, so that its reader finds
+///                   the same volumes.
+std::vector<double> group_volumes(const SurfaceMesh& mesh, bool is_single) {
+    const auto point = [&](int v) {
+        const space::Vec3& p = mesh.points[v];
+        return is_single ? space::Vec3(p.cast<float>().cast<double>()) : p;
     };
-    std::map<int, int> class_of;
-    for (std::size_t g = 0; g < mesh.groups.size(); ++g) class_of[n_faces(g)] = 0;
-    for (auto& [count, colour] : class_of) {
-        colour = static_cast<int>(mesh.classes.size());
-        mesh.classes.push_back({.colour = side_colour(count - kUsualFaces + kUsualSides),
-                                .name = "faces_" + std::to_string(count),
-                                .label = {}});
-    }
+    std::vector<double> volumes;
     for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
-        mesh.groups[g].name = "cell_" + std::to_string(cell[mesh.groups[g].first_face]);
-        mesh.face_class.insert(mesh.face_class.end(), static_cast<std::size_t>(n_faces(g)),
-                               class_of[n_faces(g)]);
+        const int first = mesh.groups[g].first_face;
+        const space::Vec3 apex = point(mesh.faces[first].front());
+        double volume = 0;
+        for (int f = first; f < mesh.group_end(g); ++f) {
+            const auto corners = mesh.faces[f];
+            const space::Vec3 p = point(corners[0]) - apex;
+            for (std::size_t k = 2; k < corners.size(); ++k) {
+                const space::Vec3 q = point(corners[k - 1]) - apex;
+                volume += p.cross(q).dot(point(corners[k]) - apex) / 6;
+            }
+        }
+        volumes.push_back(volume);
     }
+    return volumes;
+}
+
+void add_cells(SurfaceMesh& mesh, const SurfaceList& list, SeamForm seam,
+               const std::vector<SiteId>& cell) {
+    add_groups(mesh, [&](int f) { return cell[f]; });
+    CellQuantities cells{.n_faces = {}, .classes = list.cell_class, .materials = &list.materials};
+    for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
+        FaceGroup& group = mesh.groups[g];
+        group.name = std::string(kCellSet) + std::to_string(cell[group.first_face]);
+        cells.n_faces.push_back(mesh.group_end(g) - group.first_face);
+    }
+    if (list.colouring == Colouring::kSize)
+        cells.volumes = group_volumes(mesh, seam == SeamForm::kNone);
+    TileColours colours = cell_colours(list.colouring, cells);
+    for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
+        mesh.face_class.insert(mesh.face_class.end(), static_cast<std::size_t>(cells.n_faces[g]),
+                               colours.class_of[g]);
+    }
+    mesh.classes = std::move(colours.classes);
 }
 
 void add_sides(SurfaceMesh& mesh, const std::vector<space::Offset>& offsets) {
@@ -119,8 +161,9 @@ NoteTable face_partners(const space::TileSurface& surface) {
 SurfaceMesh surface_mesh(SurfaceList list, SeamForm seam) {
     space::TileSurface& surface = list.surface;
     const bool is_boundary = list.form == SurfaceForm::kBoundary;
-    SurfaceMesh mesh{.explanation = explanation_of(list.form, seam),
+    SurfaceMesh mesh{.explanation = explanation_of(list, seam),
                      .kind = is_boundary ? "boundary" : "polyhedra"};
+    mesh.statements = statements_of(list);
     mesh.notes.push_back(lattice_note(surface.lattice));
     const double* const sites = surface.sites.data();
     mesh.notes.push_back({.word = "site",
@@ -128,6 +171,9 @@ SurfaceMesh surface_mesh(SurfaceList list, SeamForm seam) {
                           .of = NoteOf::kSites,
                           .width = 3,
                           .numbers = std::vector<double>(sites, sites + surface.sites.size())});
+    mesh.notes.push_back(
+        {.word = "weights",
+         .numbers = std::vector<double>(list.weights.begin(), list.weights.end())});
     if (is_boundary && seam == SeamForm::kLines) {
         mesh.notes.push_back({.word = "cells", .of = NoteOf::kFaces, .numbers = surface.cell});
         mesh.notes.push_back(face_pairs(surface));
@@ -140,7 +186,7 @@ SurfaceMesh surface_mesh(SurfaceList list, SeamForm seam) {
     if (is_boundary) {
         add_sides(mesh, surface.offset);
     } else {
-        add_cells(mesh, surface.cell);
+        add_cells(mesh, list, seam, surface.cell);
     }
     return mesh;
 }

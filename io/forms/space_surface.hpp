@@ -6,9 +6,9 @@
 namespace pcvt {
 
 /// Returns surfaces in space with their notes and colours. Its groups are the cells, each in the
-/// colour of its number of faces, or the sides of the seam, where two that are glued have one
-/// colour. The notes are lattice, sites, the cells of faces where groups do not show them, and of a
-/// boundary the face that each face is glued to.
+/// colour that SurfaceList::colouring says, or the sides of the seam, where two that are glued have
+/// one colour. The notes are lattice, sites, the cells of faces where groups do not show them, and
+/// of a boundary the face that each face is glued to.
 ///
 /// Example usage:
 ///     SurfaceList list = surface_list(tile.mesh, tile.sites, SurfaceForm::kCells);

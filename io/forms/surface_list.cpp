@@ -5,8 +5,11 @@
 #include <utility>
 
 #include "io/bytes/bad_file.hpp"
+#include "io/colours/site_classes.hpp"
+#include "io/forms/material_words.hpp"
 #include "io/forms/tile_file.hpp"
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/base/choices.hpp"
 #include "mesher/space/mesh/polyhedral_assembly.hpp"
 
 namespace pcvt {
@@ -40,6 +43,42 @@ SurfaceList surface_list(const space::PolyhedralMesh& mesh, const space::Points&
     return {form, std::move(surface)};
 }
 
+Colouring default_colouring(const CellMaterials& materials) {
+    if (!materials.site_phase.empty()) return Colouring::kPhase;
+    return materials.site_orientation.empty() ? Colouring::kFaces : Colouring::kOrientation;
+}
+
+std::vector<int> cells_apart(const space::PolyhedralMesh& mesh) {
+    std::vector<std::pair<SiteId, SiteId>> pairs;
+    for (int f = 0; f < mesh.n_inner_faces(); ++f) {
+        pairs.emplace_back(mesh.owner[f], mesh.neighbour[f]);
+    }
+    for (const FiniteVolumePatch& patch : mesh.patches) {
+        const FiniteVolumePatch& partner = mesh.patches[patch.partner];
+        for (int k = 0; k < patch.n_faces; ++k) {
+            pairs.emplace_back(mesh.owner[patch.first_face + k],
+                               mesh.owner[partner.first_face + k]);
+        }
+    }
+    return classes_of_neighbours(std::move(pairs), mesh.n_cells);
+}
+
+SurfaceList with_materials(SurfaceList list, const SpaceTile& tile, Colouring colouring) {
+    list.weights = tile.weights;
+    list.materials = tile.materials;
+    list.colouring = colouring;
+    if (colouring == Colouring::kCells) list.cell_class = cells_apart(tile.mesh);
+    return list;
+}
+
+void require_shown_materials(const SurfaceList& list, const std::string& path) {
+    const bool are_missing =
+        (list.colouring == Colouring::kPhase && list.materials.site_phase.empty()) ||
+        (list.colouring == Colouring::kOrientation && list.materials.site_orientation.empty());
+    if (!are_missing) return;
+    throw BadFile(path + ": the colours show materials that are missing; write the file again");
+}
+
 bool SurfaceListBuilder::take_comment(const LineScanner& scanner, std::string_view key,
                                       std::span<const std::string_view> words) {
     if (key == "kind") {
@@ -47,6 +86,16 @@ bool SurfaceListBuilder::take_comment(const LineScanner& scanner, std::string_vi
         list.form = is_boundary ? SurfaceForm::kBoundary : SurfaceForm::kCells;
         return true;
     }
+    if (key == "colouring") {
+        const ColouringRow* const row =
+            words.size() == 1 ? find_word(kColourings, words[0]) : nullptr;
+        if (row == nullptr || !row->in_space) {
+            scanner.throw_bad_file("pcvt does not know this colouring; write the file again");
+        }
+        list.colouring = row->colouring;
+        return true;
+    }
+    if (take_material(scanner, key, words, list.materials)) return true;
     if (!take_note_line(notes_, scanner, key, words, 1)) return false;
     if (key == "lattice") {
         const std::vector<double> n =
@@ -65,6 +114,13 @@ SurfaceList SurfaceListBuilder::finish(const std::string& path) && {
     if (!has_lattice_) throw BadFile(path + ": the lattice is missing; give the whole file");
     const std::vector<double>& sites = notes_[1].reals();
     if (!sites.empty()) list.surface.sites = points_of(sites);
+    const std::vector<double>& weights = notes_[4].reals();
+    list.weights = Eigen::Map<const Eigen::VectorXd>(weights.data(), std::ssize(weights));
+    if (list.weights.size() != 0 && list.weights.size() != list.surface.sites.cols()) {
+        throw BadFile(path + ": the weights are not as many as the sites; write the file again");
+    }
+    require_materials(path, list.materials, list.surface.sites.cols());
+    require_shown_materials(list, path);
     if (list.form == SurfaceForm::kBoundary && list.surface.partner.empty()) {
         list.surface.cell = notes_[2].integers();
         link_pairs(path);

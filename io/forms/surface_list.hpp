@@ -3,8 +3,10 @@
 #include <string>
 
 #include "io/bytes/text.hpp"
+#include "io/colours/colouring.hpp"
 #include "io/forms/file_options.hpp"
 #include "io/forms/note_table.hpp"
+#include "io/forms/space_tile.hpp"
 #include "mesher/space/tile/tile_surface.hpp"
 
 namespace pcvt {
@@ -14,7 +16,26 @@ namespace pcvt {
 struct SurfaceList {
     SurfaceForm form = SurfaceForm::kCells;
     space::TileSurface surface = {.lattice = space::Lattice::box(1, 1, 1)};
+    /// The weights of the sites, length^2; empty for Voronoi cells.
+    Eigen::VectorXd weights = {};
+    CellMaterials materials = {};
+    /// What the colours of the cells show; a boundary has those of its seam.
+    Colouring colouring = Colouring::kFaces;
+    /// For Colouring::kCells, of each cell the number of its colour.
+    std::vector<int> cell_class = {};
 };
+
+/// The colouring of the cells of a tile where the user leaves the choice: the phases, or the
+/// orientations, if there are some, else the numbers of faces.
+Colouring default_colouring(const CellMaterials& materials);
+
+/// Returns of each cell the number of a colour that its neighbours do not have, inside the tile and
+/// across its seam, where kCellColours suffice.
+std::vector<int> cells_apart(const space::PolyhedralMesh& mesh);
+
+/// Returns a list with the weights and the materials of its tile, and with the colours of its
+/// cells.
+SurfaceList with_materials(SurfaceList list, const SpaceTile& tile, Colouring colouring);
 
 /// Returns the surfaces of the cells of a tile, or of its boundary.
 ///
@@ -23,6 +44,10 @@ struct SurfaceList {
 ///     const space::PolyhedralMesh same = assembled_cells(list, "tile.obj");
 SurfaceList surface_list(const space::PolyhedralMesh& mesh, const space::Points& sites,
                          SurfaceForm form);
+
+/// Requires that a list that was read from a file has the materials that its colours show.
+/// @throws BadFile naming the file.
+void require_shown_materials(const SurfaceList& list, const std::string& path);
 
 /// Collects the surfaces that the comments of a file state beside its points and faces.
 ///
@@ -33,7 +58,8 @@ SurfaceList surface_list(const space::PolyhedralMesh& mesh, const space::Points&
 class SurfaceListBuilder {
    public:
     /// Reads the words after the key of the comments `kind polyhedra|boundary`, `lattice`, `site`,
-    /// `cells` and `face_pair`; faces are counted from 1.
+    /// `cells`, `face_pair`, `weights`, `colouring` and those of materials; faces are counted from
+    /// 1.
     /// @returns whether the key is one of these.
     /// @throws BadFile with the line.
     bool take_comment(const LineScanner& scanner, std::string_view key,
@@ -50,11 +76,12 @@ class SurfaceListBuilder {
     void link_pairs(const std::string& path);
 
     bool has_lattice_ = false;
-    /// The notes `lattice`, `site`, `cells` and `face_pair`.
-    std::array<NoteTable, 4> notes_{
+    /// The notes `lattice`, `site`, `cells`, `face_pair` and `weights`.
+    std::array<NoteTable, 5> notes_{
         NoteTable{.word = "lattice", .width = 9, .numbers = std::vector<double>()},
         NoteTable{.word = "site", .width = 3, .numbers = std::vector<double>()},
-        NoteTable{.word = "cells"}, NoteTable{.word = "face_pair", .width = 5, .n_indices = 2}};
+        NoteTable{.word = "cells"}, NoteTable{.word = "face_pair", .width = 5, .n_indices = 2},
+        NoteTable{.word = "weights", .numbers = std::vector<double>()}};
 };
 
 /// Requires that an offset that a file states is not too large to add.

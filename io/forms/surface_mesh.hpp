@@ -49,6 +49,8 @@ struct SurfaceMesh {
     std::vector<FaceGroup> groups = {};
     /// In the order of files, the lattice first.
     std::vector<NoteTable> notes = {};
+    /// Lines of words that files state beside the notes, such as the names of phases.
+    std::string statements = {};
     /// Whether files state reals as 32-bit floats.
     bool is_single = false;
 

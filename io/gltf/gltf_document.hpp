@@ -28,6 +28,7 @@ class GltfDocument {
     explicit GltfDocument(const EncodedFile& file);
 
     const Json& root() const { return root_; }
+    const std::string& path() const { return path_; }
 
     /// Returns entry `index` of the list `table` of the root ("nodes", "meshes", ...).
     const Json& entry(const std::string& table, std::size_t index) const;

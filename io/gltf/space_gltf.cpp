@@ -1,16 +1,19 @@
 #include "io/gltf/space_gltf.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <utility>
 
 #include "io/bytes/json_writer.hpp"
 #include "io/forms/lattice_numbers.hpp"
+#include "io/forms/material_words.hpp"
 #include "io/forms/space_surface.hpp"
 #include "io/gltf/gltf_document.hpp"
 #include "io/gltf/gltf_writer.hpp"
 #include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/base/choices.hpp"
 
 namespace pcvt {
 namespace {
@@ -24,6 +27,19 @@ GltfExtra extra(const char* key, const Value& value) {
     GltfExtra member{.key = key, .json = {}};
     JsonWriter(member.json, kCompactJson).value(value);
     return member;
+}
+
+void add_materials(const CellMaterials& materials, std::vector<GltfExtra>& extras) {
+    if (!materials.site_phase.empty()) {
+        extras.push_back(extra("phases", materials.phase_names));
+        extras.push_back(extra("sitePhases", materials.site_phase));
+    }
+    if (materials.site_orientation.empty()) return;
+    std::vector<std::array<double, 3>> angles;
+    for (const BungeAngles& own : materials.site_orientation) {
+        angles.push_back({own.phi1, own.Phi, own.phi2});
+    }
+    extras.push_back(extra("orientations", angles));
 }
 
 /// Makes one group of all faces, in the order of their colours.
@@ -52,6 +68,8 @@ class GlbParser {
         }
         surface_.lattice = lattice(vectors(periodic, "lattice"));
         surface_.sites = vectors(periodic, "sites");
+        take_colouring(periodic);
+        take_materials(periodic);
         for (const Json& child : GltfDocument::member(tile, "children")) {
             checkpoint();
             add_node(document_.entry("nodes", document_.count(child, "children")));
@@ -61,6 +79,38 @@ class GlbParser {
     }
 
    private:
+    void take_colouring(const Json& periodic) {
+        const Json& word = GltfDocument::member(periodic, "colouring");
+        if (word.is_null()) return;
+        const ColouringRow* const row =
+            word.is_string() ? find_word(kColourings, word.text()) : nullptr;
+        if (row == nullptr || !row->in_space) {
+            document_.throw_bad_file("pcvt does not know extras.periodic.colouring");
+        }
+        glb_.list.colouring = row->colouring;
+    }
+
+    void take_materials(const Json& periodic) {
+        CellMaterials& materials = glb_.list.materials;
+        for (const Json& name : GltfDocument::member(periodic, "phases")) {
+            if (name.is_string()) materials.phase_names.push_back(name.text());
+        }
+        for (const Json& phase : GltfDocument::member(periodic, "sitePhases")) {
+            const std::size_t k = document_.count(phase, "sitePhases");
+            if (k >= materials.phase_names.size()) {
+                document_.throw_bad_file(
+                    "extras.periodic.sitePhases names a phase that is missing");
+            }
+            materials.site_phase.push_back(static_cast<int>(k));
+        }
+        const space::Points angles = vectors(periodic, "orientations");
+        for (Eigen::Index s = 0; s < angles.cols(); ++s) {
+            materials.site_orientation.push_back({angles(0, s), angles(1, s), angles(2, s)});
+        }
+        require_materials(document_.path(), materials, surface_.sites.cols());
+        require_shown_materials(glb_.list, document_.path());
+    }
+
     /// @returns one vector a column.
     space::Points vectors(const Json& periodic, const char* key) const {
         const Json& rows = GltfDocument::member(periodic, key);
@@ -95,6 +145,9 @@ class GlbParser {
             add_fans(document_.indices(document_.count_in(primitive, "indices"),
                                        static_cast<std::size_t>(n_points)),
                      first);
+            if (glb_.list.colouring == Colouring::kCells) {
+                glb_.list.cell_class.push_back(cell_class(document_.material_name(primitive)));
+            }
             const auto n_faces = static_cast<std::size_t>(surface_.n_faces());
             surface_.cell.resize(n_faces, static_cast<SiteId>(glb_.groups.size()) - 1);
             if (glb_.list.form == SurfaceForm::kBoundary) {
@@ -104,6 +157,15 @@ class GlbParser {
                                                     : space::Offset{});
             }
         }
+    }
+
+    /// The number of a colour of cells, by the name of its material.
+    int cell_class(const std::string& material) const {
+        const std::vector<ColourClass> classes = cell_classes({}).classes;
+        const auto found = std::find_if(classes.begin(), classes.end(),
+                                        [&](const ColourClass& c) { return c.name == material; });
+        if (found != classes.end()) return static_cast<int>(found - classes.begin());
+        document_.throw_bad_file("a primitive has not the material of a colour of cells");
     }
 
     /// @returns the number of points.
@@ -156,6 +218,10 @@ GltfSurface gltf_surface(SurfaceList list) {
     if (surface.sites.cols() > 0) {
         result.extras.push_back(extra("sites", surface.sites.colwise()));
     }
+    if (list.colouring != Colouring::kFaces) {
+        result.extras.push_back(extra("colouring", colouring_row(list.colouring).word));
+    }
+    add_materials(list.materials, result.extras);
     result.mesh = surface_mesh(std::move(list), SeamForm::kNone);
     if (result.mesh.groups.size() > std::size_t{kMaxCellNodes}) {
         join_groups(result.mesh, is_boundary ? "boundary" : "cells");

@@ -9,7 +9,12 @@ namespace pcvt {
 /// Returns surfaces in space as glTF shows them: a node for each group of surface_mesh(), or one
 /// node, `cells` or `boundary`, for more than kMaxCellNodes of them. extras.periodic is
 ///
-///     {"kind": "polyhedra" | "boundary", "lattice": [a, b, c], "sites": [[x, y, z], ...]}
+///     {"kind": "polyhedra" | "boundary", "lattice": [a, b, c], "sites": [[x, y, z], ...],
+///      "colouring": "size", "phases": ["name", ...], "sitePhases": [k, ...],
+///      "orientations": [[phi1, Phi, phi2], ...]}
+///
+/// where colours other than those of the numbers of faces, and materials, are stated where there
+/// are some.
 ///
 /// Example usage:
 ///     const GltfSurface surface = gltf_surface(surface_list(mesh, sites, SurfaceForm::kCells));

@@ -66,15 +66,6 @@ plane::Tile with_faces_in_order(const plane::Tile& tile, const std::vector<int>&
     return sorted;
 }
 
-/// Appends lines as comments.
-void append_comments(std::string& text, std::string_view lines) {
-    while (!lines.empty()) {
-        const std::size_t length = lines.find('\n') + 1;
-        (text += "# ") += lines.substr(0, length);
-        lines.remove_prefix(length);
-    }
-}
-
 /// The memory of the text, or more. Memory that is reserved and not used costs nothing, in contrast
 /// to a text that is moved.
 std::size_t most_bytes(const SurfaceMesh& mesh) {
@@ -112,9 +103,10 @@ void append_faces(std::string& text, const SurfaceMesh& mesh) {
 std::string obj_text(const SurfaceMesh& mesh, const std::string& material_file) {
     std::string text;
     text.reserve(most_bytes(mesh));
-    append_comments(text, mesh.explanation);
+    append_lines(text, "# ", mesh.explanation);
     text += "# pcvt kind " + mesh.kind + "\n";
     for (const NoteTable& note : mesh.notes) append_note(text, "# pcvt ", note, 1);
+    append_lines(text, "# pcvt ", mesh.statements);
     text += "mtllib " + material_file + "\n";
     for (const Eigen::Vector3d& p : mesh.points) {
         text += 'v';

@@ -62,8 +62,9 @@ void check_format(const LineScanner& scanner) {
 void read_comment(const LineScanner& scanner, const NoteTaker& take_comment) {
     const std::span<const std::string_view> words = scanner.words();
     if (words.size() < 3 || words[1] != "pcvt") return;
-    // A PLY does not state sites in comments.
-    if (!words[2].starts_with("site") && take_comment(scanner, words[2], words.subspan(3))) return;
+    // A PLY does not state sites in comments, except their phases.
+    const bool names_sites = words[2].starts_with("site") && words[2] != "site_phases";
+    if (!names_sites && take_comment(scanner, words[2], words.subspan(3))) return;
     scanner.throw_bad_file("pcvt does not know " + in_quotes(words[2]) + "; remove the line");
 }
 

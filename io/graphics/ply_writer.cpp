@@ -65,15 +65,12 @@ void declare_rows(std::string& text, const SurfaceMesh& mesh, NoteOf of,
 
 std::string header(const SurfaceMesh& mesh) {
     std::string text = "ply\nformat ascii 1.0\n";
-    for (std::string_view rest = mesh.explanation; !rest.empty();) {
-        const std::size_t length = rest.find('\n') + 1;
-        (text += "comment ") += rest.substr(0, length);
-        rest.remove_prefix(length);
-    }
+    append_lines(text, "comment ", mesh.explanation);
     text += "comment pcvt kind " + mesh.kind + '\n';
     for (const NoteTable& note : mesh.notes) {
         if (note.of == NoteOf::kMesh) append_note(text, "comment pcvt ", note, 0);
     }
+    append_lines(text, "comment pcvt ", mesh.statements);
     const char* const real = mesh.is_single ? "float" : "double";
     text += "element vertex " + std::to_string(mesh.points.size()) + '\n';
     declare(text, real, "x y z");

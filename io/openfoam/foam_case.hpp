@@ -33,7 +33,7 @@ struct FoamCase {
     CellFlow flow;
     /// The comments in the boundary file, from foam_notes() on.
     std::string notes;
-    /// The zones of the phases of a layer; else empty.
+    /// The zones of the phases.
     std::vector<FoamZone> zones = {};
 };
 

@@ -1,10 +1,12 @@
 #include "io/openfoam/foam_polyhedra.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
 #include "io/bytes/bad_file.hpp"
+#include "io/forms/material_words.hpp"
 #include "io/openfoam/foam_lists.hpp"
 #include "io/openfoam/foam_reader.hpp"
 #include "io/openfoam/foam_text.hpp"
@@ -24,6 +26,7 @@ struct Notes {
     std::vector<double> lattice;
     std::vector<double> short_edges;
     std::vector<double> sites;
+    CellMaterials materials;
 };
 
 Notes read_notes(const EncodedFile& boundary) {
@@ -38,6 +41,7 @@ Notes read_notes(const EncodedFile& boundary) {
                         {"site", 3, notes.sites}};
     read_foam_notes(boundary, [&](const LineScanner& scanner, std::string_view key,
                                   std::span<const std::string_view> values) {
+        if (take_material(scanner, key, values, notes.materials)) return;
         for (const Row& row : rows) {
             if (row.key != key) continue;
             if (values.size() != row.n_numbers) {
@@ -84,6 +88,15 @@ void require_numbers(const std::vector<EncodedFile>& files, const FiniteVolumeMe
     }
 }
 
+std::vector<FoamZone> phase_zones(const CellMaterials& materials) {
+    std::vector<FoamZone> zones;
+    for (const std::string& name : materials.phase_names) zones.push_back({phase_group(name), {}});
+    for (int s = 0; s < std::ssize(materials.site_phase); ++s) {
+        zones[materials.site_phase[s]].cells.push_back(s);
+    }
+    return zones;
+}
+
 }  // namespace
 
 FoamCase foam_case(const SpaceTile& tile) {
@@ -99,10 +112,12 @@ FoamCase foam_case(const SpaceTile& tile) {
         for (const double x : site) append_number(notes += ' ', x);
         notes += '\n';
     }
+    append_materials(notes, "// pcvt ", tile.materials);
     return {.cells = FoamCells::kPolyhedra,
             .mesh = tile.mesh,
             .flow = cell_flow(BeltramiFlow(tile.mesh.lattice), tile.mesh),
-            .notes = std::move(notes)};
+            .notes = std::move(notes),
+            .zones = phase_zones(tile.materials)};
 }
 
 bool is_foam_of_polyhedra(const std::vector<EncodedFile>& files) {
@@ -114,7 +129,7 @@ bool is_foam_of_polyhedra(const std::vector<EncodedFile>& files) {
 
 SpaceTile decode_foam_polyhedra(const std::vector<EncodedFile>& files, double tolerance) {
     const EncodedFile& boundary = foam_boundary(files);
-    const Notes notes = read_notes(boundary);
+    Notes notes = read_notes(boundary);
     const space::Lattice lattice = lattice_of(notes, boundary.path);
     const double short_edges = short_edges_of(notes, boundary.path);
     SpaceTile tile{.mesh = {decode_foam_mesh(files, 3), lattice}};
@@ -132,6 +147,9 @@ SpaceTile decode_foam_polyhedra(const std::vector<EncodedFile>& files, double to
     mesh.point_offset = std::move(joined.point_offset);
     tile.sites = Eigen::Map<const space::Points>(notes.sites.data(), 3,
                                                  static_cast<Eigen::Index>(notes.sites.size() / 3));
+    tile.materials = std::move(notes.materials);
+    if (!tile.materials.site_phase.empty()) foam_mesh_file(files, "cellZones");
+    require_materials(boundary.path, tile.materials, mesh.n_cells);
     return tile;
 }
 

@@ -3,9 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
+#include "io/colours/cell_colours.hpp"
+#include "io/forms/surface_list.hpp"
 #include "io/pictures/periodic_canvas.hpp"
 #include "io/pictures/png_writer.hpp"
 #include "io/pictures/svg_canvas.hpp"
@@ -24,9 +25,6 @@ constexpr double kAmbient = 0.56;
 constexpr double kDirect = 0.5;
 /// Pixels of PNG for one of SVG.
 constexpr double kSharpness = 2;
-/// Truncated octahedra are as pale as hexagons.
-constexpr int kUsualFaces = 14;
-constexpr int kUsualSides = 6;
 
 /// The axes of the picture: to the right, upwards, and towards the viewer.
 struct View {
@@ -47,8 +45,6 @@ View view() {
     view.light = (0.75 * view.towards + 0.75 * view.up - 0.45 * view.right).normalized();
     return view;
 }
-
-Colour colour_of_faces(int n_faces) { return side_colour(n_faces - kUsualFaces + kUsualSides); }
 
 Colour shaded(const Colour& colour, double light) {
     const double factor = std::min(1.0, kAmbient + kDirect * std::max(0.0, light));
@@ -92,8 +88,8 @@ struct SpacePicture {
     double edge_width;
 };
 
-SpacePicture picture_of(const SpaceTile& tile) {
-    std::vector<ShownFace> faces = shown_faces(tile);
+SpacePicture picture_of(const SpaceTile& tile, const TileColours& colours) {
+    std::vector<ShownFace> faces = shown_faces(tile, colours);
     std::vector<plane::Vec2> points;
     for (const ShownFace& face : faces) {
         points.insert(points.end(), face.corners.begin(), face.corners.end());
@@ -103,22 +99,42 @@ SpacePicture picture_of(const SpaceTile& tile) {
     return {std::move(faces), frame, std::clamp(0.014 * spacing * frame.scale(), 0.1, 1.4)};
 }
 
-Legend legend_of(const SpaceTile& tile) {
-    std::map<int, int> cells;
-    for (const int count : face_counts(tile.mesh)) ++cells[count];
-    Legend legend{.caption = "Cells by number of faces", .entries = {}};
-    for (const auto& [n_faces, n_cells] : cells) {
-        legend.entries.push_back({LegendEntry::Mark::kPatch, hex(colour_of_faces(n_faces)),
-                                  std::to_string(n_faces) + " faces: " + std::to_string(n_cells)});
+Legend legend_of(const TileColours& colours, Colouring colouring) {
+    Legend legend{.caption = colouring == Colouring::kFaces
+                                 ? "Cells by number of faces"
+                                 : std::string("Cells by ") + colouring_row(colouring).word,
+                  .entries = {}};
+    for (const ColourClass& shown : colours.classes) {
+        if (shown.label.empty()) continue;
+        legend.entries.push_back({LegendEntry::Mark::kPatch, hex(shown.colour), shown.label});
     }
+    if (colouring == Colouring::kOrientation) {
+        legend.caption = "Axes of cubic crystals along z";
+        legend.entries = {{LegendEntry::Mark::kPatch, "#ff0000", "001"},
+                          {LegendEntry::Mark::kPatch, "#00ff00", "011"},
+                          {LegendEntry::Mark::kPatch, "#0000ff", "111"}};
+    }
+    if (legend.entries.empty()) legend.caption = "";
     return legend;
 }
 
 }  // namespace
 
-std::vector<ShownFace> shown_faces(const SpaceTile& tile) {
+TileColours cell_colours(const SpaceTile& tile, Colouring colouring) {
+    CellQuantities cells{.n_faces = face_counts(tile.mesh), .materials = &tile.materials};
+    if (colouring == Colouring::kSize) {
+        for (const space::CellBody& body : cell_bodies(tile.mesh)) {
+            cells.volumes.push_back(body.volume);
+        }
+    }
+    std::vector<int> classes;
+    if (colouring == Colouring::kCells) classes = cells_apart(tile.mesh);
+    cells.classes = classes;
+    return cell_colours(colouring, cells);
+}
+
+std::vector<ShownFace> shown_faces(const SpaceTile& tile, const TileColours& colours) {
     const View shown = view();
-    const std::vector<int> counts = face_counts(tile.mesh);
     std::vector<ShownFace> faces;
     for (const int f : painted_order(tile, shown.towards)) {
         checkpoint_each(f);
@@ -128,16 +144,19 @@ std::vector<ShownFace> shown_faces(const SpaceTile& tile) {
         for (const int v : tile.mesh.faces[f]) {
             face.corners.push_back(shown.place(tile.mesh.points[v]));
         }
-        face.colour = shaded(colour_of_faces(counts[tile.mesh.owner[f]]), normal.dot(shown.light));
+        const Colour& colour = colours.classes[colours.class_of[tile.mesh.owner[f]]].colour;
+        face.colour = shaded(colour, normal.dot(shown.light));
     }
     return faces;
 }
 
-std::vector<EncodedFile> encode_space_svg(const SpaceTile& tile, const std::string& path) {
-    const SpacePicture picture = picture_of(tile);
-    const PlacedLegend legend = place_legend(legend_of(tile), picture.frame);
+std::vector<EncodedFile> encode_space_svg(const SpaceTile& tile, Colouring colouring,
+                                          const std::string& path) {
+    const TileColours colours = cell_colours(tile, colouring);
+    const SpacePicture picture = picture_of(tile, colours);
+    const PlacedLegend legend = place_legend(legend_of(colours, colouring), picture.frame);
     const std::string title =
-        std::to_string(tile.mesh.n_cells) + " periodic cells in space, by number of faces";
+        std::to_string(tile.mesh.n_cells) + " periodic cells in space" + colours.explanation;
     std::string svg = svg_head(title, legend.width, legend.height);
     svg += "<g stroke=\"#3a3f4a\" stroke-linejoin=\"round\"" +
            svg_attribute("stroke-width", picture.edge_width) + ">\n";
@@ -152,8 +171,9 @@ std::vector<EncodedFile> encode_space_svg(const SpaceTile& tile, const std::stri
     return only_file(path, std::move(svg));
 }
 
-std::vector<EncodedFile> encode_space_png(const SpaceTile& tile, const std::string& path) {
-    const SpacePicture picture = picture_of(tile);
+std::vector<EncodedFile> encode_space_png(const SpaceTile& tile, Colouring colouring,
+                                          const std::string& path) {
+    const SpacePicture picture = picture_of(tile, cell_colours(tile, colouring));
     const auto width = static_cast<int>(std::ceil(kSharpness * picture.frame.width()));
     const auto height = static_cast<int>(std::ceil(kSharpness * picture.frame.height()));
     PeriodicCanvas canvas(width, height, Walls::kNone);

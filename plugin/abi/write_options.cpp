@@ -23,6 +23,8 @@ static_assert(colouring_row(Colouring::kDensity).abi_value == PCVT_COLOUR_DENSIT
 static_assert(colouring_row(Colouring::kPhase).abi_value == PCVT_COLOUR_PHASE);
 static_assert(colouring_row(Colouring::kOrbit).abi_value == PCVT_COLOUR_ORBIT);
 static_assert(colouring_row(Colouring::kTag).abi_value == PCVT_COLOUR_TAG);
+static_assert(colouring_row(Colouring::kFaces).abi_value == PCVT_COLOUR_FACES);
+static_assert(colouring_row(Colouring::kOrientation).abi_value == PCVT_COLOUR_ORIENTATION);
 static_assert(find_word(kGltfNodes, "cells")->abi_value == PCVT_NODES_CELLS);
 static_assert(find_word(kGltfNodes, "one")->abi_value == PCVT_NODES_ONE);
 static_assert(find_abi_value(kSurfaceForms, PCVT_SURFACE_CELLS)->form == SurfaceForm::kCells);
@@ -102,6 +104,10 @@ WriteRequest write_request(const char* path, const pcvt_write_options& options, 
             .kind;
     request.layout.outline = tile_outline(options.outline);
     check_surfaces(request.path, options, in_space);
+    if (options.colour != PCVT_COLOUR_DEFAULT) {
+        row_for(in_space, "colour", options.colour, kColourings,
+                "PCVT_COLOUR_FACES, SIZE, PHASE, ORIENTATION or CELLS");
+    }
     request.files = file_options(options);
     request.report = given_text(options.report);
     request.replace = options.replace != 0;

@@ -60,8 +60,9 @@ std::string prove_tetrahedral_tile(const EncodedFile& file, double tolerance) {
 }
 
 std::string prove_boundary(const std::vector<EncodedFile>& files) {
-    const auto [surface, proof] = prove_boundary_files(files);
-    const auto n_sites = static_cast<int>(surface.sites.cols());
+    const BoundaryFileProof found = prove_boundary_files(files);
+    const space::SurfaceProof& proof = found.proof;
+    const auto n_sites = static_cast<int>(found.surface.sites.cols());
     return counted(proof.n_points, "point") + ", " + std::to_string(proof.n_faces) + " faces in " +
            std::to_string(proof.n_faces / 2) + " pairs by " +
            counted(proof.n_translations, "translation") + ", a closed manifold in " +

@@ -253,6 +253,7 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     read_run(app, options, job);
     job.materials = material_choices(app, options.materials, job.inputs);
     job.file_options = file_options(app, options.files);
+    if (app.count("--colour") > 0) row_for(job, "--colour", options.files.colour, kColourings);
     job.file_options.elastic = elastic_choices(options.materials);
     read_numbers(app, options.numbers, job);
     check_short_edges(app, options, job);

@@ -23,6 +23,7 @@ struct Word {
     std::string word;
     /// In pcvt.h.
     std::optional<int> number = {};
+    bool in_plane = true;
     bool in_space = true;
 };
 
@@ -32,6 +33,7 @@ std::vector<Word> words_of(const Table& table) {
     for (const auto& row : table) {
         if (row.abi_value == kNotOffered) continue;
         words.push_back({row.word, row.abi_value});
+        if constexpr (requires { row.in_plane; }) words.back().in_plane = row.in_plane;
         if constexpr (requires { row.in_space; }) words.back().in_space = row.in_space;
     }
     return words;
@@ -80,7 +82,11 @@ std::string mark(const std::string& option) {
     for (const Word& word : choice == nullptr ? std::vector<Word>() : choice->words()) {
         if (!word.in_space) words += (words.empty() ? "; " : ", ") + word.word;
     }
-    return words + (words.empty() ? "" : ": plane only");
+    if (!words.empty()) words += ": plane only";
+    for (const Word& word : choice == nullptr ? std::vector<Word>() : choice->words()) {
+        if (!word.in_plane) words += "; " + word.word + ": space only";
+    }
+    return words;
 }
 
 /// The extensions of the formats whose files take an option; nothing for an option of the run.
@@ -99,7 +105,7 @@ void append_words(JsonWriter& json, const std::vector<Word>& words, bool in_plan
         json.begin_object();
         json.member("word", word.word);
         json.member("number", word.number);
-        json.member("plane", in_plane);
+        json.member("plane", in_plane && word.in_plane);
         json.member("space", in_space && word.in_space);
         json.end();
     });

@@ -153,7 +153,19 @@ constexpr std::array kContradictions{
                   "--colour orbit needs --symmetry; add it, or take --colour cells"},
     Contradiction{
         FeatureSet{F::kColourByTag}, kNone, kWithInclusions,
-        "--colour tag needs --inclusions or --fibres; add one of them, or take --colour size"}};
+        "--colour tag needs --inclusions or --fibres; add one of them, or take --colour size"},
+    Contradiction{FeatureSet{F::kColourByOrientation}, kNone,
+                  FeatureSet{F::kOrientations, F::kColourOfSpace},
+                  "--colour orientation needs --orientations; add it, or take --colour size"},
+    Contradiction{FeatureSet{F::kColourOfSpace}, kNone, kNone,
+                  "--colour faces and orientation are for three dimensions; take sides, size, "
+                  "phase or cells"},
+    Contradiction{FeatureSet{F::kSurface}, FeatureSet{F::kColour}, kNone,
+                  "--surface boundary has the colours of its seam; leave --colour out, or take "
+                  "--surface cells"},
+    Contradiction{FeatureSet{F::kSurface}, FeatureSet{F::kVolumes, F::kWeights}, kNone,
+                  "--surface boundary does not work with --volumes or --weights; take --surface "
+                  "cells"}};
 
 FeatureSet chosen_features(const Job& job) {
     FeatureSet chosen;

@@ -193,17 +193,31 @@ constexpr std::array kFeatures{
     FeatureRow{.feature = F::kColour,
                .option = "--colour",
                .fields = "colour",
+               .in_space = true,
                .is_chosen = [](const Job& job) { return job.file_options.colouring.has_value(); },
                .in_files = "a colouring",
                .taken = takes<&FormatChoices::colouring>},
     FeatureRow{.feature = F::kColourByDensity,
                .is_chosen = [](const Job& job) { return shows(job, ColouringNeed::kDensity); }},
     FeatureRow{.feature = F::kColourByPhase,
+               .in_space = true,
                .is_chosen = [](const Job& job) { return shows(job, ColouringNeed::kPhases); }},
     FeatureRow{.feature = F::kColourByOrbit,
                .is_chosen = [](const Job& job) { return shows(job, ColouringNeed::kOrbits); }},
     FeatureRow{.feature = F::kColourByTag,
                .is_chosen = [](const Job& job) { return shows(job, ColouringNeed::kTags); }},
+    FeatureRow{
+        .feature = F::kColourByOrientation,
+        .in_space = true,
+        .is_chosen = [](const Job& job) { return shows(job, ColouringNeed::kOrientations); }},
+    FeatureRow{.feature = F::kColourOfSpace,
+               .in_space = true,
+               .is_chosen =
+                   [](const Job& job) {
+                       const auto& colouring = job.file_options.colouring;
+                       return !job.is_in_space() && colouring &&
+                              !colouring_row(*colouring).in_plane;
+                   }},
     FeatureRow{.feature = F::kBackground,
                .option = "--background",
                .fields = "background",
@@ -268,12 +282,15 @@ constexpr std::array kFeatures{
                .is_chosen = [](const Job& job) { return job.file_options.thickness != 0; },
                .in_files = "a thickness",
                .taken = takes<&FormatChoices::thickness>},
-    FeatureRow{.feature = F::kSurface,
-               .option = "--surface",
-               .fields = "surface",
-               .in_plane = false,
-               .in_space = true,
-               .taken = [](const Format& format, bool) { return format.has_surfaces(); }}};
+    FeatureRow{
+        .feature = F::kSurface,
+        .option = "--surface",
+        .fields = "surface",
+        .in_plane = false,
+        .in_space = true,
+        .is_chosen =
+            [](const Job& job) { return job.file_options.surfaces == SurfaceForm::kBoundary; },
+        .taken = [](const Format& format, bool) { return format.has_surfaces(); }}};
 
 /// The fields of an option that every job can have.
 struct CommonRow {

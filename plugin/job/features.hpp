@@ -65,6 +65,8 @@ enum class Feature : std::uint8_t {
     kColourByPhase,
     kColourByOrbit,
     kColourByTag,
+    kColourByOrientation,
+    kColourOfSpace,
     kBackground,
     kGlbNodes,
     kSinglePrecision,

@@ -164,7 +164,7 @@ struct SpaceContent {
             return format.encode_tetrahedra(tetrahedra.value(), file.path());
         }
         if (format.encode != nullptr) {
-            return format.encode(tile, job.file_options.surfaces, file.path());
+            return format.encode(tile, job.file_options, file.path());
         }
         if (format.encode_voxels != nullptr) return encode_voxels(file);
         if (const auto* const write = std::get_if<CellWriter*>(&file.format->write)) {

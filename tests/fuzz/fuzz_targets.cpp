@@ -120,11 +120,10 @@ std::vector<std::vector<EncodedFile>> space_files(const char* path) {
     std::vector<std::vector<EncodedFile>> sets;
     if (format.encode != nullptr) {
         for (const SurfaceForm form : {SurfaceForm::kCells, SurfaceForm::kBoundary}) {
-            sets.push_back(format.encode(random_space_tile(3), form, path));
+            sets.push_back(format.encode(random_space_tile(3), {.surfaces = form}, path));
             if (format.surfaces != FormatSurfaces::kChosen) break;
         }
-        sets.push_back(format.encode(random_space_tile(5, space::kLongestShortEdge),
-                                     SurfaceForm::kCells, path));
+        sets.push_back(format.encode(random_space_tile(5, space::kLongestShortEdge), {}, path));
     }
     if (format.encode_tetrahedra != nullptr) {
         const space::Lattice cube = space::Lattice::box(1, 1, 1);

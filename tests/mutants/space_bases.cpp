@@ -3,8 +3,6 @@
 #include "io/formats/space_file_proof.hpp"
 #include "io/gltf/space_gltf_proof.hpp"
 #include "mesher/base/error.hpp"
-#include "mesher/cells/orientations.hpp"
-#include "mesher/space/cvt/weighted_cells.hpp"
 #include "mesher/space/mesh/elongated_cells.hpp"
 #include "tests/support/space_tiles.hpp"
 
@@ -30,7 +28,8 @@ void add_space_tile(const SpaceFormat& format, const SpaceCase& c, const std::st
         if (format.shows_boundary(row.form) && !closes) continue;
         const bool has_forms = format.surfaces == FormatSurfaces::kChosen;
         bases.push_back({(has_forms ? std::string(row.word) + " " : "") + c.name,
-                         plane::MeshKind::kVoronoi, format.encode(tile, row.form, path)});
+                         plane::MeshKind::kVoronoi,
+                         format.encode(tile, {.surfaces = row.form}, path)});
         if (!has_forms) break;
     }
 }
@@ -40,8 +39,8 @@ void add_without_short_edges(const SpaceFormat& format, const SpaceCase& c, cons
     if (!format.takes_short_edges(plane::MeshKind::kVoronoi) || format.encode == nullptr ||
         format.is_picture())
         return;
-    bases.push_back({"short " + c.name, plane::MeshKind::kVoronoi,
-                     format.encode(tile_of(c, 0.05), SurfaceForm::kCells, path)});
+    bases.push_back(
+        {"short " + c.name, plane::MeshKind::kVoronoi, format.encode(tile_of(c, 0.05), {}, path)});
 }
 
 /// Adds cells of a metric.
@@ -57,8 +56,8 @@ void add_elongated(const SpaceFormat& format, const SpaceCase& c, const std::str
     SpaceTile tile{.mesh = polyhedral_mesh(sites, complex, {0, 0, 0}, &images)};
     tile.mesh.metric = metric;
     tile.sites = sites_of_cells(complex, images);
-    bases.push_back({"elongated " + c.name, plane::MeshKind::kVoronoi,
-                     format.encode(tile, SurfaceForm::kCells, path)});
+    bases.push_back(
+        {"elongated " + c.name, plane::MeshKind::kVoronoi, format.encode(tile, {}, path)});
 }
 
 /// Adds cells with phases and orientations, and power cells with their weights.
@@ -66,24 +65,24 @@ void add_materials(const SpaceFormat& format, const SpaceCase& c, const std::str
                    std::vector<BaseFile>& bases) {
     if (!format.states_materials) return;
     SpaceTile tile = tile_of(c);
-    tile.materials = {.phase_names = {"a", "b"},
-                      .site_phase = {0, 1, 1, 0, 1},
-                      .site_orientation = random_orientations(5, 1)};
-    bases.push_back({"materials " + c.name, plane::MeshKind::kVoronoi,
-                     format.encode(tile, SurfaceForm::kCells, path)});
+    tile.materials = some_materials(5);
+    bases.push_back(
+        {"materials " + c.name, plane::MeshKind::kVoronoi, format.encode(tile, {}, path)});
+    for (const ColouringRow& row : kColourings) {
+        if (!format.takes.colouring || !row.in_space || row.colouring == Colouring::kFaces)
+            continue;
+        // Only the materials that the colours show.
+        if (row.colouring != Colouring::kPhase) tile.materials.site_phase.clear();
+        if (row.colouring != Colouring::kPhase) tile.materials.phase_names.clear();
+        if (row.colouring != Colouring::kOrientation) tile.materials.site_orientation.clear();
+        bases.push_back({std::string(row.word) + " " + c.name, plane::MeshKind::kVoronoi,
+                         format.encode(tile, {.colouring = row.colouring}, path)});
+        tile.materials = some_materials(5);
+    }
     if (!format.states_weights) return;
-    const Eigen::VectorXd weights = 0.02 * Eigen::VectorXd::LinSpaced(5, 0, 1);
-    const space::WeightedCells cells = space::weighted_cells(c.lattice, c.points, weights, {});
-    const space::PeriodicDelaunay& delaunay = cells.delaunay;
-    const space::CellComplex complex =
-        cell_complex(delaunay.sites, delaunay.tetrahedra, delaunay.weights);
-    std::vector<space::Offset> images;
-    add_elongated(format, c, path, bases);
-    SpaceTile power{.mesh = polyhedral_mesh(delaunay.sites, complex, {0, 0, 0}, &images)};
-    power.sites = sites_of_cells(complex, images);
-    power.weights = delaunay.weights;
-    bases.push_back({"power " + c.name, plane::MeshKind::kVoronoi,
-                     format.encode(power, SurfaceForm::kCells, path)});
+    if (format.states_metric) add_elongated(format, c, path, bases);
+    const SpaceTile power = power_tile_of(c, 0.02);
+    bases.push_back({"power " + c.name, plane::MeshKind::kVoronoi, format.encode(power, {}, path)});
 }
 
 void add_tetrahedra(const SpaceFormat& format, const SpaceCase& c, const std::string& path,

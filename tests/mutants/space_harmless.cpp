@@ -8,6 +8,8 @@ namespace {
 
 constexpr std::string_view kLongerBound =
     "another bound of the removed edges, which only the proof reads";
+constexpr std::string_view kUserWords = "the names of the phases are the user's words, stated once";
+constexpr std::string_view kStatedOnce = "orientations that no colours show are stated once";
 constexpr std::string_view kMovedCorners = "less than the distance by which corners were moved";
 
 }  // namespace
@@ -39,10 +41,14 @@ std::span<const Harmless> harmless_in_space() {
         Harmless{"alone site row", "delete", "without its only line the file states no site",
                  "boundary one"},
         Harmless{"face.halfedge", "", "another halfedge of the face"},
-        Harmless{"PhaseNames*", "", "the names of the phases are the user's words, stated once",
-                 "materials"},
+        Harmless{"PhaseNames*", "", kUserWords, "materials"},
         Harmless{"Orientation value", "",
                  "another orientation with the same colour in the pole figure", "materials"},
+        Harmless{"phases", "word", kUserWords, "materials"},
+        Harmless{"phases", "word", kUserWords, "phase"},
+        Harmless{"angles*", "", kStatedOnce, "materials"},
+        Harmless{"alone angles*", "", kStatedOnce, "materials"},
+        Harmless{"pcvt angles*", "", kStatedOnce, "materials"},
         Harmless{"alone mtllib*", "", "the material file is missing"},
         Harmless{"alone usemtl*", "", "the material file is missing"},
     };

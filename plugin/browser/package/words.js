@@ -12,7 +12,7 @@ export const words = {
     solver: {lbfgs: 1, lloyd: 2, newton: 3},
     mesh: {voronoi: 0, delaunay: 1, grains: 2},
     outline: {whole: 0, box: 1},
-    colour: {sides: 1, size: 2, cells: 3, density: 4, phase: 5, orbit: 6, tag: 7},
+    colour: {sides: 1, size: 2, cells: 3, density: 4, phase: 5, orbit: 6, tag: 7, faces: 8, orientation: 9},
     glbNodes: {cells: 1, one: 2},
     element: {CPE: 0, CPS: 1},
     job: {elastic: 1},

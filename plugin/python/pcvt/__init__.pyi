@@ -181,6 +181,7 @@ class SpaceResult:
         progress: Optional[_Watch] = None,
         voxels: Sequence[int] = (0, 0, 0),
         materials: Optional[_Constants] = None,
+        colour: str = "default",
         **fields: float,
     ) -> None: ...
 

@@ -90,8 +90,8 @@ class SpaceResult:
         return SpaceTile(self._handle, self._view())
 
     def write(self, path, *, mesh="voronoi", surface="cells", report=None, replace=False, progress=None,
-              voxels=(0, 0, 0), materials=None, **fields):
-        """Writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the boundary of the tile
+              voxels=(0, 0, 0), materials=None, colour="default", **fields):
+        """Writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), pictures (.svg, .png), the boundary of the tile
         (.om), the Delaunay tetrahedra (.msh, .vtu), the cells as voxels (.vti), a table of the cells (.csv)
         or the sites (.txt), by the extension. Either all files
         appear, complete and proved to be a periodic tile, or none. Ctrl-C ends the call soon.
@@ -105,6 +105,8 @@ class SpaceResult:
         progress    called with a Progress ten times a second; a true return value cancels
         voxels      of .vti: the numbers along x, y and z; (0, 0, 0): about 16 along h
         materials   of .vti: the elastic constants of the phases, as in the plane
+        colour      what the colours of .obj, .ply, .glb, .svg and .png show: faces, size, cells (neighbours differ),
+                    phase or orientation (inverse pole figure along z of cubic crystals)
         fields      numbers of pcvt_write_options, by their names in pcvt.h
 
         Raises OutputError, ArgumentError (another extension), GeometryError (.msh with flat
@@ -113,6 +115,7 @@ class SpaceResult:
         options = _structs.WriteOptions(struct_size=sizeof(_structs.WriteOptions), replace=bool(replace),
                                         kind=choice("mesh", mesh, dimension=3),
                                         surface=choice("surface", surface, dimension=3),
+                                        colour=choice("colour", colour, dimension=3),
                                         report=None if report is None else text("report", report))
         if materials is not None:
             options.materials = material_text(materials)

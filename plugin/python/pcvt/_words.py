@@ -24,13 +24,14 @@ CHOICES = {
         "start": {"default": 0, "random": 1, "coarse": 2, "lattice": 3},
         "solver": {"default": 0, "lbfgs": 1, "lloyd": 2},
         "mesh": {"voronoi": 0, "delaunay": 1},
+        "colour": {"default": 0, "size": 2, "cells": 3, "phase": 5, "faces": 8, "orientation": 9},
         "surface": {"cells": 0, "boundary": 1},
     },
 }
 
 # Names of options, and of their fields in pcvt.h, that are for the plane only.
 PLANE_ONLY = {
-    "area_law", "areas", "background", "budget", "colour", "columns", "coriolis", "cut", "cut_width", "density",
+    "area_law", "areas", "background", "budget", "columns", "coriolis", "cut", "cut_width", "density",
     "density_data", "density_range", "density_source", "element", "fibres", "fixed", "fixed_sites", "float32",
     "glb_nodes", "gltf_nodes", "grain_order", "grain_per_edge", "grain_size", "hole", "holes", "inclusions", "job",
     "n_areas", "n_fixed_sites", "order", "outline", "per_edge", "pixels", "repeat", "retry", "rows",

@@ -71,8 +71,9 @@ TEST_P(SurfaceFiles, GiveBackTheSurfaces) {
         const SpaceTile tile = testing::tile_of(c);
         for (const SurfaceForm form : {SurfaceForm::kCells, SurfaceForm::kBoundary}) {
             const space::TileSurface list = surface_list(tile.mesh, tile.sites, form).surface;
-            const auto [found_form, found] = GetParam().decode(encoded(tile, form).front());
-            EXPECT_EQ(found_form, form);
+            const SurfaceList read = GetParam().decode(encoded(tile, form).front());
+            const space::TileSurface& found = read.surface;
+            EXPECT_EQ(read.form, form);
             EXPECT_EQ(found.lattice.periods(), list.lattice.periods());
             EXPECT_EQ(found.points, list.points);
             EXPECT_EQ(found.faces, list.faces);

@@ -10,6 +10,10 @@
 namespace pcvt {
 namespace {
 
+std::vector<ShownFace> faces_of(const SpaceTile& tile) {
+    return shown_faces(tile, cell_colours(tile, Colouring::kFaces));
+}
+
 using ::testing::HasSubstr;
 
 double area_of(const std::vector<plane::Vec2>& corners) {
@@ -34,7 +38,7 @@ bool contains(const std::vector<plane::Vec2>& corners, const plane::Vec2& point)
 TEST(SpacePicture, ShowsFacesTurnedToTheViewer) {
     for (const testing::SpaceCase& c : testing::space_cases()) {
         SCOPED_TRACE(c.name);
-        const std::vector<ShownFace> faces = shown_faces(testing::tile_of(c));
+        const std::vector<ShownFace> faces = faces_of(testing::tile_of(c));
         ASSERT_FALSE(faces.empty());
         for (const ShownFace& face : faces) EXPECT_GE(area_of(face.corners), 0);
     }
@@ -46,7 +50,7 @@ const space::Vec3 kTowards = space::Vec3(0.5, -0.8, 0.46).normalized();
 /// The last painted face at a point is the nearest one, which a search of all faces finds.
 TEST(SpacePicture, PaintsTheNearestFaceLast) {
     const SpaceTile tile = testing::random_space_tile(30);
-    const std::vector<ShownFace> faces = shown_faces(tile);
+    const std::vector<ShownFace> faces = faces_of(tile);
     const space::Vec3 right = space::Vec3::UnitZ().cross(kTowards).normalized();
     const space::Vec3 up = kTowards.cross(right);
     int n_tested = 0;
@@ -90,13 +94,14 @@ TEST(SpacePicture, PaintsTheNearestFaceLast) {
 TEST(SpacePicture, NamesTheNumbersOfFaces) {
     const SpaceTile tile =
         testing::tile_of({"octahedra", space::Lattice::box(1, 1, 1), testing::lattice_points(16)});
-    EXPECT_THAT(encode_space_svg(tile, "t.svg").front().bytes, HasSubstr(">14 faces: 16<"));
+    EXPECT_THAT(encode_space_svg(tile, Colouring::kFaces, "t.svg").front().bytes,
+                HasSubstr(">14 faces: 16<"));
 }
 
 TEST(SpacePicture, OfOneTileHasTheSameBytes) {
     const SpaceTile tile = testing::random_space_tile(8);
-    const std::string png = encode_space_png(tile, "t.png").front().bytes;
-    EXPECT_EQ(png, encode_space_png(tile, "t.png").front().bytes);
+    const std::string png = encode_space_png(tile, Colouring::kFaces, "t.png").front().bytes;
+    EXPECT_EQ(png, encode_space_png(tile, Colouring::kFaces, "t.png").front().bytes);
     EXPECT_TRUE(png.starts_with("\x89PNG"));
 }
 

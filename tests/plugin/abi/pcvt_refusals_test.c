@@ -447,9 +447,12 @@ static void unknown_forms_of_files_are_refused(void) {
     CHECK(pcvt_write(result, "t.inp", &forms) == PCVT_ERROR_ARGUMENT);
     CHECK(strstr(pcvt_last_error(), "element 2") != NULL);
     forms.element = PCVT_CPE;
-    forms.colour = 8;
+    forms.colour = 10;
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), "colour 8") != NULL);
+    CHECK(strstr(pcvt_last_error(), "colour 10") != NULL);
+    forms.colour = PCVT_COLOUR_FACES;
+    CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "colour faces and orientation are for three") != NULL);
     forms.colour = PCVT_COLOUR_DENSITY;
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
     forms.colour = PCVT_COLOUR_ORBIT;

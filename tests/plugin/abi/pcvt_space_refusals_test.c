@@ -168,7 +168,7 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
         CHECK(!removes_file("refused.vtu"));                                     \
     } while (0)
     PLANE_FIELD(outline, "outline", PCVT_BOX);
-    PLANE_FIELD(colour, "colour", PCVT_COLOUR_SIDES);
+    PLANE_FIELD(colour, "colour 1", PCVT_COLOUR_SIDES);
     PLANE_FIELD(gltf_nodes, "gltf_nodes", PCVT_NODES_ONE);
     PLANE_FIELD(single_precision, "single_precision", 1);
     PLANE_FIELD(pixels, "pixels", 64);

@@ -115,7 +115,10 @@ class Options(CliTest):
                 self.assertEqual(self.part(name).endswith("; plane only"), not option["space"])
                 self.assertEqual(self.part(name).endswith("; space only"), not option["plane"])
                 for word in option["words"] if option["space"] else ():
-                    self.assertEqual(f"; {word['word']}: plane only" in self.part(name), not word["space"])
+                    marked = re.search(rf"[;,] {word['word']}(, \w+)*: plane only", self.part(name))
+                    self.assertEqual(marked is not None, not word["space"])
+                    is_marked = f"; {word['word']}: space only" in self.part(name)
+                    self.assertEqual(is_marked, option["plane"] and not word["plane"])
 
     def not_in_space(self, name):
         """Values of an option, each a list of words, that runs in space lack."""
