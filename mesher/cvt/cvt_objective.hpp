@@ -71,6 +71,8 @@ class CvtObjective : public Objective {
     Moving& moving() const { return moving_; }
     Workers& workers() const { return workers_; }
     const SiteConstraints<Moving>& constraints() const { return constraints_; }
+    /// The masses of the cells at the point evaluated last.
+    const Eigen::VectorXd& mass() const { return energy_.mass; }
 
    private:
     /// Undoes a trial that was not accepted, as far as the next step requires.

@@ -25,6 +25,8 @@ class FixedBlocks {
     /// @param size      the number of variables in a block.
     explicit FixedBlocks(std::vector<bool> is_fixed, int size = 2);
 
+    /// One entry for each block, or none if no block is fixed.
+    const std::vector<bool>& is_fixed() const { return is_fixed_; }
     /// Sets the fixed entries of a vector to zero.
     template <class Vector>
     void clear(Vector& x) const {

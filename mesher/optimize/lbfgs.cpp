@@ -122,6 +122,13 @@ OptimizerResult minimize_lbfgs(Objective& objective, const OptimizerOptions& opt
             if (objective.precondition(here)) history.begin(here);
             may_precondition = false;
         }
+        if (objective.relax_parts(here, options.tolerance)) {
+            if (!run.evaluate(history.direction(), 0, here)) {
+                return run.finish(Stop::kStalled, here);
+            }
+            history.begin(here);
+            continue;
+        }
         if (!advance(run, objective, options, history, here)) {
             return run.finish(Stop::kStalled, here);
         }

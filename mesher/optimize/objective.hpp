@@ -55,6 +55,12 @@ class Objective {
     /// the point too.
     /// @returns false if the objective has no preconditioner.
     virtual bool precondition(Evaluation&) { return false; }
+    /// Moves the point to one where the value is not higher, by minimising over few variables, if
+    /// that costs less than iterations with all variables. The optimiser calls it before each
+    /// iteration.
+    /// @param tolerance  the largest residual at which the optimiser ends.
+    /// @returns whether the point has moved; it must then be evaluated.
+    virtual bool relax_parts(const Evaluation& /*here*/, double /*tolerance*/) { return false; }
     /// The fixed-point step at the point evaluated last: point + direction is the next Lloyd
     /// iterate.
     virtual void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const = 0;

@@ -7,6 +7,7 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/cvt_objective.hpp"
+#include "mesher/plane/cvt/active_sites.hpp"
 #include "mesher/plane/delaunay/periodic_delaunay.hpp"
 #include "mesher/plane/energy/energy.hpp"
 #include "mesher/plane/energy/hessian.hpp"
@@ -19,10 +20,16 @@ namespace {
 
 constexpr int kSitesPerTask = 1 << 14;
 
-/// The energy for rho = 1, with its Hessian and a preconditioner of long waves.
+/// The energy for rho = 1, with its Hessian, a preconditioner of long waves and rounds with active
+/// sites.
 class UniformObjective final : public CvtObjective<EnergyPass> {
    public:
-    using CvtObjective::CvtObjective;
+    /// @param relaxes  whether the optimiser may run rounds with active sites.
+    UniformObjective(MovingDelaunay& delaunay, Workers& workers,
+                     const SiteConstraints<MovingDelaunay>& constraints, bool relaxes)
+        : CvtObjective(delaunay, workers, constraints) {
+        if (relaxes) active_.emplace(delaunay, workers, constraints.fixed);
+    }
 
     bool evaluate(const Eigen::VectorXf& direction, double t, Evaluation& evaluation) override {
         if (!CvtObjective::evaluate(direction, t, evaluation)) return false;
@@ -35,6 +42,10 @@ class UniformObjective final : public CvtObjective<EnergyPass> {
         long_waves_ = std::make_unique<LongWaves>(moving(), workers());
         apply_long_waves(evaluation);
         return true;
+    }
+
+    bool relax_parts(const Evaluation& here, double tolerance) override {
+        return active_ && active_->relax(here.gradient, mass(), tolerance);
     }
 
     bool has_hessian() const override { return true; }
@@ -50,6 +61,7 @@ class UniformObjective final : public CvtObjective<EnergyPass> {
     }
 
     std::unique_ptr<LongWaves> long_waves_;
+    std::optional<ActiveSites> active_;
 };
 
 OptimizerOptions preconditioned_options(const MovingDelaunay& delaunay, const CvtOptions& options) {
@@ -102,7 +114,9 @@ RunStatistics minimize(MovingDelaunay& delaunay, const CvtOptions& options,
     const int n_tasks = delaunay.n_sites() / kSitesPerTask + 1;
     Workers workers(std::min(options.run.n_threads, n_tasks));
     const SiteConstraints constraints = constraints_of(delaunay, options);
-    UniformObjective all(delaunay, workers, constraints);
+    // A guard knows only the positions of all sites.
+    const bool relaxes = options.run.solver == Solver::kLbfgs && options.guard == nullptr;
+    UniformObjective all(delaunay, workers, constraints, relaxes);
     std::optional<SymmetricObjective> symmetric;
     if (orbits != nullptr) symmetric.emplace(all, *orbits);
     Objective& objective = symmetric ? static_cast<Objective&>(*symmetric) : all;

@@ -103,6 +103,7 @@ bool LawsonFlips::is_counter_clockwise(int triangle) const {
 }
 
 bool LawsonFlips::is_locally_delaunay(int h) const {
+    if (triangulation_.opposite(h) == h) return true;
     const double sign = filter(triangulation_, coordinates_, gram_, h);
     if (sign != 0) return sign < 0;
     const Corner apex = triangulation_.apex_across(h);

@@ -45,7 +45,8 @@ class LawsonFlips {
     }
     /// Whether the triangle is counter-clockwise; exact.
     bool is_counter_clockwise(int triangle) const;
-    /// Whether the edge of h is locally Delaunay; exact, and true for cocircular corners.
+    /// Whether the edge of h is locally Delaunay; exact, and true for cocircular corners and on the
+    /// border of a part (torus_triangulation.hpp).
     bool is_locally_delaunay(int h) const;
 
     /// Flips the suspects that are not locally Delaunay, then the edges that become suspects.

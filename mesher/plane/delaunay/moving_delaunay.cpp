@@ -179,6 +179,17 @@ void MovingDelaunay::keep_in_range() {
     begin_flip_log();
 }
 
+void MovingDelaunay::adopt(std::span<const SiteId> sites, const Points& coordinates,
+                           std::span<const int> flips) {
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+        coordinates_.col(sites[k]) = coordinates.col(static_cast<Eigen::Index>(k));
+    }
+    for (const int h : flips) triangulation_.flip(h);
+    counts_.n_flips += std::ssize(flips);
+    if (!flips.empty()) begin_flip_log();
+    moves_.reset();
+}
+
 std::vector<int> MovingDelaunay::inverted(const Suspects& suspects) const {
     std::vector<int> found;
     for (const int t : suspects.triangles) {

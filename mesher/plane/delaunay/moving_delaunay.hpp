@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "mesher/base/workers.hpp"
 #include "mesher/plane/delaunay/lawson_flips.hpp"
@@ -117,6 +118,14 @@ class MovingDelaunay {
     /// Accepts the current positions.
     void settle() { settled_ = true; }
     bool settled() const { return settled_; }
+
+    /// Takes over the positions of some sites, and the flips, of a part in which they moved
+    /// (delaunay_patch.hpp). Flips outside of the part may remain to be done.
+    /// @pre settled, and restored or changed only by other parts.
+    /// @param coordinates  a column for each of `sites`, and perhaps more.
+    /// @param flips        the halfedges that were flipped, in order.
+    void adopt(std::span<const SiteId> sites, const Points& coordinates,
+               std::span<const int> flips);
 
     /// See lawson_flips.hpp.
     bool is_certainly_delaunay(int h) const {

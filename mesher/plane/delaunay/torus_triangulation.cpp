@@ -52,6 +52,17 @@ TorusTriangulation::TorusTriangulation(int n_sites, std::vector<SiteId> corner_s
     }
 }
 
+TorusTriangulation TorusTriangulation::part(int n_sites, std::vector<SiteId> corner_sites,
+                                            std::vector<CornerOffsets> corner_offsets,
+                                            std::vector<int> opposite) {
+    TorusTriangulation part;
+    part.n_sites_ = n_sites;
+    part.sites_ = std::move(corner_sites);
+    part.opposite_ = std::move(opposite);
+    part.offsets_ = std::move(corner_offsets);
+    return part;
+}
+
 void TorusTriangulation::prefer_huge_pages() const {
     pcvt::prefer_huge_pages(sites_);
     pcvt::prefer_huge_pages(opposite_);

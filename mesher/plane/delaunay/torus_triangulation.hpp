@@ -60,6 +60,11 @@ class TorusTriangulation {
     /// triangles, and opposite[h] for each of the 6 n halfedges.
     TorusTriangulation(int n_sites, std::vector<SiteId> corner_sites,
                        std::vector<CornerOffsets> corner_offsets, std::vector<int> opposite);
+    /// A part of such a triangulation, for which laws (1) and (3) do not hold: a halfedge on its
+    /// border is its own opposite. Flips inside of the part leave the border as it is.
+    static TorusTriangulation part(int n_sites, std::vector<SiteId> corner_sites,
+                                   std::vector<CornerOffsets> corner_offsets,
+                                   std::vector<int> opposite);
 
     int n_sites() const { return n_sites_; }
     int n_triangles() const { return static_cast<int>(offsets_.size()); }
@@ -113,6 +118,7 @@ class TorusTriangulation {
     void renumber_sites(const std::vector<SiteId>& number);
 
    private:
+    TorusTriangulation() = default;
     Offset offset(int h) const {
         const CornerOffsets& o = offsets_[h / 3];
         const int k = h % 3;
@@ -121,7 +127,7 @@ class TorusTriangulation {
     }
     void set_triangle(int t, const Triangle& corners);
 
-    int n_sites_;
+    int n_sites_ = 0;
     std::vector<SiteId> sites_;
     std::vector<int> opposite_;
     std::vector<CornerOffsets> offsets_;

@@ -83,7 +83,7 @@ struct EnergyPass::Slab {
     void gather(const MovingDelaunay& delaunay, int first, int n, TriangleBlock& block) const;
     void scatter(const MovingDelaunay& delaunay, int first, int n, const TriangleBlock& block,
                  Energy& energy);
-    void suspect(const MovingDelaunay& delaunay, int h, const TriangleBlock& block, int k);
+    void suspect(const MovingDelaunay& delaunay, int t, const TriangleBlock& block, int k);
     void examine_suspects(const MovingDelaunay& delaunay);
     std::size_t certify_edges(const MovingDelaunay& delaunay, std::size_t end);
 };
@@ -151,34 +151,12 @@ void EnergyPass::Slab::clear(int end, Energy& energy) {
 void EnergyPass::Slab::gather(const MovingDelaunay& delaunay, int first, int n,
                               TriangleBlock& block) const {
     const SiteId* site = delaunay.triangulation().corner_sites().data() + 3 * std::size_t(first);
-    const CornerOffsets* offsets = delaunay.triangulation().corner_offsets().data() + first;
-    const double* u = delaunay.coordinates().data();
     // Prefetch the corners of a later block.
     constexpr int kCorners = 3 * TriangleBlock::kSize;
     for (int c = 0; c < kCorners; c += kCornersPerLine) {
         prefetch(site + kBlocksFetched * kCorners + c);
     }
-    // Compute corners 1 and 2 relative to corner 0.
-    for (int k = 0; k < n; ++k, site += 3) {
-        const double* p0 = u + 2 * std::size_t(site[0]);
-        const double* p1 = u + 2 * std::size_t(site[1]);
-        const double* p2 = u + 2 * std::size_t(site[2]);
-        block.pu[k] = p1[0] - p0[0];
-        block.pv[k] = p1[1] - p0[1];
-        block.qu[k] = p2[0] - p0[0];
-        block.qv[k] = p2[1] - p0[1];
-        if (!offsets[k].all_zero()) {
-            block.pu[k] += offsets[k].i1;
-            block.pv[k] += offsets[k].j1;
-            block.qu[k] += offsets[k].i2;
-            block.qv[k] += offsets[k].j2;
-        }
-    }
-    // Fill up an incomplete block with triangles that cause no division by zero.
-    for (int k = n; k < TriangleBlock::kSize; ++k) {
-        block.pu[k] = block.qv[k] = 1;
-        block.pv[k] = block.qu[k] = 0;
-    }
+    block.gather(delaunay.triangulation(), delaunay.coordinates(), first, n);
 }
 
 void EnergyPass::Slab::scatter(const MovingDelaunay& delaunay, int first, int n,
@@ -204,7 +182,7 @@ void EnergyPass::Slab::scatter(const MovingDelaunay& delaunay, int first, int n,
             suspects.triangles.push_back(first + k);
             continue;
         }
-        if (!(block.acute[k] > 0)) suspect(delaunay, 3 * (first + k), block, k);
+        if (!(block.acute[k] > 0)) suspect(delaunay, first + k, block, k);
         sum += block.value[k];
         // Add the terms of all three corners.
         if (int(inside(site[0])) & int(inside(site[1])) & int(inside(site[2]))) {
@@ -220,11 +198,9 @@ void EnergyPass::Slab::scatter(const MovingDelaunay& delaunay, int first, int n,
     value += sum;
 }
 
-void EnergyPass::Slab::suspect(const MovingDelaunay& delaunay, int h, const TriangleBlock& block,
+void EnergyPass::Slab::suspect(const MovingDelaunay& delaunay, int t, const TriangleBlock& block,
                                int k) {
-    const std::array<double, 3> cosine{block.cosine0[k], block.cosine1[k], block.cosine2[k]};
-    const auto largest_angle = std::min_element(cosine.begin(), cosine.end()) - cosine.begin();
-    suspects.halfedges.push_back(TorusTriangulation::next(h + static_cast<int>(largest_angle)));
+    suspects.halfedges.push_back(block.opposite_to_largest_angle(t, k));
     delaunay.triangulation().fetch_opposite(suspects.halfedges.back());
 }
 

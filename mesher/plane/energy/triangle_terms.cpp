@@ -59,6 +59,34 @@ TriangleTerms triangle_terms(const Vec2& p, const Vec2& q, const ReducedFrame& f
     return terms;
 }
 
+void TriangleBlock::gather(const TorusTriangulation& triangulation, const Points& coordinates,
+                           int first, int n) {
+    const SiteId* site = triangulation.corner_sites().data() + 3 * std::size_t(first);
+    const CornerOffsets* offsets = triangulation.corner_offsets().data() + first;
+    const double* u = coordinates.data();
+    // Compute corners 1 and 2 relative to corner 0.
+    for (int k = 0; k < n; ++k, site += 3) {
+        const double* p0 = u + 2 * std::size_t(site[0]);
+        const double* p1 = u + 2 * std::size_t(site[1]);
+        const double* p2 = u + 2 * std::size_t(site[2]);
+        pu[k] = p1[0] - p0[0];
+        pv[k] = p1[1] - p0[1];
+        qu[k] = p2[0] - p0[0];
+        qv[k] = p2[1] - p0[1];
+        if (!offsets[k].all_zero()) {
+            pu[k] += offsets[k].i1;
+            pv[k] += offsets[k].j1;
+            qu[k] += offsets[k].i2;
+            qv[k] += offsets[k].j2;
+        }
+    }
+    // Fill up an incomplete block with triangles that cause no division by zero.
+    for (int k = n; k < kSize; ++k) {
+        pu[k] = qv[k] = 1;
+        pv[k] = qu[k] = 0;
+    }
+}
+
 PCVT_TARGET_CLONES void TriangleBlock::compute(const ReducedFrame& frame) {
     const double ax = frame.ax;
     const double bx = frame.bx;

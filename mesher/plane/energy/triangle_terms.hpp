@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
+#include "mesher/plane/delaunay/torus_triangulation.hpp"
 #include "mesher/plane/geometry/reduced_frame.hpp"
 
 namespace pcvt::plane {
@@ -39,7 +41,17 @@ struct TriangleBlock {
     /// Positive where all angles are certainly acute.
     Row acute;
 
+    /// Fills in the corners of the n triangles from `first` on.
+    /// @param coordinates  2 x n, reduced basis.
+    void gather(const TorusTriangulation& triangulation, const Points& coordinates, int first,
+                int n);
     void compute(const ReducedFrame& frame);
+    /// The halfedge opposite to the largest angle of triangle t, the k-th of the block.
+    int opposite_to_largest_angle(int t, int k) const {
+        const std::array<double, 3> cosine{cosine0[k], cosine1[k], cosine2[k]};
+        const auto corner = std::min_element(cosine.begin(), cosine.end()) - cosine.begin();
+        return TorusTriangulation::next(3 * t + static_cast<int>(corner));
+    }
 };
 
 }  // namespace pcvt::plane
