@@ -312,6 +312,9 @@ typedef struct pcvt_options {
 
     const double* orientation_weights; /**< n_orientations numbers from 0 on, not all 0, by which
                                           `orientations` are drawn [NULL] */
+    int32_t layers; /**< in three dimensions: the periods along the third vector that files hold, as
+                       `columns` and `rows` along the others; views show one period [0: one] */
+    int32_t reserved7;
 } pcvt_options;
 
 /** The optimised sites. */

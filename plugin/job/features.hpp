@@ -55,6 +55,7 @@ enum class Feature : std::uint8_t {
     kGrainPerEdge,
     kOrder,
     kRepeat,
+    kRepeatLayers,
     kRepeatAcrossWalls,
     kShortEdgesInSpace,
     kTable,

@@ -1,6 +1,7 @@
 #include "plugin/job/space_world.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "mesher/space/proof/tetrahedral_proof.hpp"
 #include "mesher/space/search/lattice_pattern.hpp"
 #include "mesher/space/search/lattice_stability.hpp"
+#include "mesher/space/tessellation/repeated_cells.hpp"
 #include "mesher/space/voxels/voxel_image.hpp"
 #include "plugin/job/job_start.hpp"
 
@@ -111,6 +113,25 @@ std::string flat_in_words(const space::TetrahedralMesh& mesh, const std::vector<
            ", which lie in one plane up to rounding, as where more than four sites lie on a sphere";
 }
 
+/// The cells of all periods of a tile; nothing where it has one.
+std::optional<space::PeriodicDelaunay> all_periods(const Job& job,
+                                                   const space::PeriodicDelaunay& delaunay) {
+    if (job.tile.repeat.n_copies() == 1) return std::nullopt;
+    return repeated_cells(delaunay, job.tile.repeat);
+}
+
+/// The materials of the cells of several periods.
+CellMaterials repeated(const CellMaterials& materials, const Repetition& repeat) {
+    CellMaterials all{.phase_names = materials.phase_names};
+    for (int copy = 0; copy < static_cast<int>(repeat.n_copies()); ++copy) {
+        all.site_phase.insert(all.site_phase.end(), materials.site_phase.begin(),
+                              materials.site_phase.end());
+        all.site_orientation.insert(all.site_orientation.end(), materials.site_orientation.begin(),
+                                    materials.site_orientation.end());
+    }
+    return all;
+}
+
 /// The tetrahedra, if a file holds them.
 std::optional<space::TetrahedralMesh> build_tetrahedra(const space::PeriodicDelaunay& delaunay,
                                                        const Job& job,
@@ -121,8 +142,10 @@ std::optional<space::TetrahedralMesh> build_tetrahedra(const space::PeriodicDela
     });
     if (file == files.end()) return {};
     monitor.begin(Phase::kBuilding, "building the tetrahedra");
-    space::TetrahedralMesh mesh = tetrahedral_mesh(delaunay, job.in_space().origin);
-    const std::vector<int> flat = flat_tetrahedra(mesh, delaunay.sites.n_sites());
+    const std::optional<space::PeriodicDelaunay> all = all_periods(job, delaunay);
+    const space::PeriodicDelaunay& cells = all ? *all : delaunay;
+    space::TetrahedralMesh mesh = tetrahedral_mesh(cells, job.in_space().origin);
+    const std::vector<int> flat = flat_tetrahedra(mesh, cells.sites.n_sites());
     if (flat.empty()) return mesh;
     throw InvalidInput("-o " + file->path() + ": " + flat_in_words(mesh, flat) +
                        "; move the sites a little, or leave " + file->path() + " out");
@@ -188,11 +211,14 @@ struct SpaceContent {
     std::vector<EncodedFile> encode_voxels(const JobFile& file) const {
         const SpaceDomain& domain = job.in_space();
         const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
-        const VoxelCounts counts =
-            requested_voxels(domain.lattice, delaunay.sites.n_sites(), job.file_options.voxels);
+        const auto& [columns, rows, layers] = job.tile.repeat;
+        const auto& [a, b, c] = domain.lattice.periods();
+        const space::Lattice whole(columns * a, rows * b, layers * c);
+        const VoxelCounts counts = requested_voxels(
+            whole, delaunay.sites.n_sites() * job.tile.repeat.n_copies(), job.file_options.voxels);
         const space::VoxelImage image =
-            voxel_image(delaunay, delaunay.weights,
-                        voxel_grid(domain.lattice, domain.origin, counts), job.run.n_threads);
+            voxel_image(delaunay, delaunay.weights, voxel_grid(whole, domain.origin, counts),
+                        job.run.n_threads);
         const space::VoxelCells cells{
             .lattice = domain.lattice, .sites = points, .weights = delaunay.weights};
         return file.format->space->encode_voxels(image, cells, computation.materials,
@@ -243,9 +269,11 @@ Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor,
 SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobFile>& /*files*/,
                                           const Computation<SpaceWorld>& computation,
                                           JobMonitor& monitor) {
-    const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
     monitor.begin(Phase::kBuilding, "building the cells");
-    space::CellComplex complex = computation.cells.complex();
+    const std::optional<space::PeriodicDelaunay> all = all_periods(job, computation.cells.delaunay);
+    const space::PeriodicDelaunay& delaunay = all ? *all : computation.cells.delaunay;
+    space::CellComplex complex =
+        all ? cell_complex(all->sites, all->tetrahedra, all->weights) : computation.cells.complex();
     const std::size_t n_vertices = complex.vertices.size();
     complex = without_short_edges(std::move(complex), job.tile.short_edges);
     const bool has_weights = delaunay.weights.size() > 0;
@@ -257,7 +285,7 @@ SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobF
     tile.weights = delaunay.weights;
     tile.sites =
         has_weights ? sites_of_cells(complex, images) : sites_in_cells(delaunay.sites, tile.mesh);
-    tile.materials = computation.materials;
+    tile.materials = repeated(computation.materials, job.tile.repeat);
     monitor.begin(Phase::kProving, "proving the cells");
     try {
         built.figures.proof = prove_polyhedra(tile.mesh);
@@ -268,6 +296,10 @@ SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobF
     const space::CellFaces cells(tile.mesh);
     for (int s = 0; s < cells.n_cells(); ++s) {
         ++built.face_counts[static_cast<int>(cells[s].size())];
+    }
+    // The cells of one period.
+    for (auto& [n_faces, count] : built.face_counts) {
+        count = static_cast<int>(std::lround(count / job.tile.repeat.n_copies()));
     }
     return built;
 }

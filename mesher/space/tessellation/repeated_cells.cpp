@@ -1,0 +1,29 @@
+#include "mesher/space/tessellation/repeated_cells.hpp"
+
+#include <utility>
+
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/space/cvt/weighted_cells.hpp"
+
+namespace pcvt::space {
+
+PeriodicDelaunay repeated_cells(const PeriodicDelaunay& delaunay, const Repetition& repeat) {
+    const Points sites = delaunay.sites.positions();
+    const auto& [a, b, c] = delaunay.sites.lattice().periods();
+    const Lattice lattice(repeat.columns * a, repeat.rows * b, repeat.layers * c);
+    const Eigen::Index n = sites.cols();
+    const auto n_copies = static_cast<Eigen::Index>(repeat.n_copies());
+    Points points(3, n * n_copies);
+    for (Eigen::Index copy = 0; copy < n_copies; ++copy) {
+        checkpoint();
+        const double i = double(copy % repeat.columns);
+        const double j = double(copy / repeat.columns % repeat.rows);
+        const double k = double(copy / repeat.columns / repeat.rows);
+        points.middleCols(copy * n, n) = sites.colwise() + Vec3(i * a + j * b + k * c);
+    }
+    if (delaunay.weights.size() == 0) return periodic_delaunay(Sites(lattice, points));
+    const Eigen::VectorXd weights = delaunay.weights.replicate(n_copies, 1);
+    return weighted_cells(lattice, points, weights, {}).delaunay;
+}
+
+}  // namespace pcvt::space
