@@ -315,6 +315,9 @@ typedef struct pcvt_options {
                                           `orientations` are drawn [NULL] */
     double aspect_axis[3]; /**< in three dimensions: the axis along which the cells are `aspect`
                               times as long as across it; all 0: x [0, 0, 0] */
+    int32_t layers; /**< in three dimensions: the periods along the third vector that files hold, as
+                       `columns` and `rows` along the others; views show one period [0: one] */
+    int32_t reserved7;
 } pcvt_options;
 
 /** The optimised sites. */

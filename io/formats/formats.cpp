@@ -84,7 +84,8 @@ constexpr std::array<Format, 17> kFormats{{
                      .takes = {.colouring = true, .phases = true, .orientations = true},
                      .encode = space_rows::encode_triangles,
                      .kind = space_rows::kind_where<SpaceFileKind::kTriangles, holds_glb_surfaces>,
-                     .states_materials = true}},
+                     .states_materials = true,
+                     .states_weights = true}},
     {.extension = ".gltf",
      .description = "glTF 2.0, one text file",
      .write = encode_gltf,
@@ -202,6 +203,7 @@ constexpr std::array<Format, 17> kFormats{{
                           .encode = space_rows::encode_volumes<space_rows::encode_polyhedra>,
                           .kind = space_rows::case_kind,
                           .states_materials = true,
+                          .states_weights = true,
                           .states_short_edges = true}},
     {.extension = ".nc",
      .description =

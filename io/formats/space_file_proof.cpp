@@ -60,7 +60,7 @@ bool holds_same_triangles(const EncodedFile& glb, const SpaceTile& tile) {
     require_same_surfaces(found, surface_of(tile, found.list.form));
     const space::TileSurface& surface = found.list.surface;
     if (surface.lattice.periods() != tile.mesh.lattice.periods() || surface.sites != tile.sites ||
-        found.list.materials != tile.materials) {
+        found.list.materials != tile.materials || found.list.weights != tile.weights) {
         return false;
     }
     try {

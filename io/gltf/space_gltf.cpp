@@ -14,6 +14,7 @@
 #include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/choices.hpp"
+#include "mesher/cells/phase_fractions.hpp"
 
 namespace pcvt {
 namespace {
@@ -69,6 +70,7 @@ class GlbParser {
         surface_.lattice = lattice(vectors(periodic, "lattice"));
         surface_.sites = vectors(periodic, "sites");
         take_colouring(periodic);
+        take_weights(periodic);
         take_materials(periodic);
         for (const Json& child : GltfDocument::member(tile, "children")) {
             checkpoint();
@@ -90,10 +92,21 @@ class GlbParser {
         glb_.list.colouring = row->colouring;
     }
 
+    void take_weights(const Json& periodic) {
+        const Json& weights = GltfDocument::member(periodic, "weights");
+        if (weights.is_null()) return;
+        const auto n = static_cast<std::size_t>(surface_.sites.cols());
+        const std::vector<double> numbers = GltfDocument::number_list(weights, n);
+        if (n == 0 || numbers.size() != n) {
+            document_.throw_bad_file("extras.periodic.weights is not one number for each site");
+        }
+        glb_.list.weights = Eigen::Map<const Eigen::VectorXd>(numbers.data(), std::ssize(numbers));
+    }
+
     void take_materials(const Json& periodic) {
         CellMaterials& materials = glb_.list.materials;
         for (const Json& name : GltfDocument::member(periodic, "phases")) {
-            if (name.is_string()) materials.phase_names.push_back(name.text());
+            materials.phase_names.push_back(name.is_string() ? name.text() : "");
         }
         for (const Json& phase : GltfDocument::member(periodic, "sitePhases")) {
             const std::size_t k = document_.count(phase, "sitePhases");
@@ -104,8 +117,14 @@ class GlbParser {
             materials.site_phase.push_back(static_cast<int>(k));
         }
         const space::Points angles = vectors(periodic, "orientations");
-        for (Eigen::Index s = 0; s < angles.cols(); ++s) {
-            materials.site_orientation.push_back({angles(0, s), angles(1, s), angles(2, s)});
+        try {
+            if (!materials.phase_names.empty()) require_phase_names(materials.phase_names);
+            for (Eigen::Index s = 0; s < angles.cols(); ++s) {
+                materials.site_orientation.push_back(
+                    checked_angles({angles(0, s), angles(1, s), angles(2, s)}));
+            }
+        } catch (const InvalidInput& fault) {
+            document_.throw_bad_file(std::string("extras.periodic: ") + fault.what());
         }
         require_materials(document_.path(), materials, surface_.sites.cols());
         require_shown_materials(glb_.list, document_.path());
@@ -217,6 +236,10 @@ GltfSurface gltf_surface(SurfaceList list) {
                      extra("lattice", surface.lattice.periods())};
     if (surface.sites.cols() > 0) {
         result.extras.push_back(extra("sites", surface.sites.colwise()));
+    }
+    if (list.weights.size() > 0) {
+        result.extras.push_back(
+            extra("weights", std::vector<double>(list.weights.begin(), list.weights.end())));
     }
     if (list.colouring != Colouring::kFaces) {
         result.extras.push_back(extra("colouring", colouring_row(list.colouring).word));

@@ -10,11 +10,11 @@ namespace pcvt {
 /// node, `cells` or `boundary`, for more than kMaxCellNodes of them. extras.periodic is
 ///
 ///     {"kind": "polyhedra" | "boundary", "lattice": [a, b, c], "sites": [[x, y, z], ...],
-///      "colouring": "size", "phases": ["name", ...], "sitePhases": [k, ...],
+///      "weights": [w, ...], "colouring": "size", "phases": ["name", ...], "sitePhases": [k, ...],
 ///      "orientations": [[phi1, Phi, phi2], ...]}
 ///
-/// where colours other than those of the numbers of faces, and materials, are stated where there
-/// are some.
+/// where weights of power cells, colours other than those of the numbers of faces, and materials
+/// are stated where there are some.
 ///
 /// Example usage:
 ///     const GltfSurface surface = gltf_surface(surface_list(mesh, sites, SurfaceForm::kCells));

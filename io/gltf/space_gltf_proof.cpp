@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "io/bytes/bad_file.hpp"
+#include "io/gltf/glb_faces.hpp"
+#include "io/gltf/glb_sites.hpp"
 #include "io/gltf/gltf_document.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
@@ -21,41 +23,6 @@ namespace pcvt {
 namespace {
 
 using Points = std::vector<space::Vec3>;
-
-constexpr double kSingle = std::numeric_limits<float>::epsilon();
-constexpr double kDouble = std::numeric_limits<double>::epsilon();
-
-/// The measures of a face.
-struct FaceSize {
-    space::Vec3 centre = space::Vec3::Zero();
-    /// The sum of the area vectors of its triangles.
-    space::Vec3 area = space::Vec3::Zero();
-    double perimeter = 0;
-    double shortest_edge = std::numeric_limits<double>::infinity();
-    int n_corners;
-
-    FaceSize(const Points& points, std::span<const int> face)
-        : n_corners(static_cast<int>(face.size())) {
-        const space::Vec3& first = points[face.front()];
-        space::Vec3 from = points[face.back()];
-        for (const int v : face) {
-            const space::Vec3& to = points[v];
-            centre += to;
-            area += (from - first).cross(to - first) / 2;
-            perimeter += (to - from).norm();
-            shortest_edge = std::min(shortest_edge, (to - from).norm());
-            from = to;
-        }
-        centre /= double(n_corners);
-    }
-    /// The error of a direction by errors of the corners of this size; infinite for a face without
-    /// area.
-    double tilt(double error) const {
-        const double moved = perimeter + 2 * error * n_corners;
-        return area.norm() > 0 ? error * moved / area.norm()
-                               : std::numeric_limits<double>::infinity();
-    }
-};
 
 double largest_coordinate(const Points& points, const Faces& faces) {
     double largest = 0;
@@ -144,7 +111,7 @@ GlbProof prove_closed(const GlbSurfaces& glb) {
     }
     if (is_boundary) require_closed(std::move(edges), "the boundary");
     // A corner moves by at most half an ulp along each axis.
-    proof.tolerance = kSingle * largest_coordinate(points, surface.faces) * area;
+    proof.tolerance = kSingleEpsilon * largest_coordinate(points, surface.faces) * area;
     const double wanted = surface.lattice.volume();
     if (!(std::abs(proof.volume - wanted) <= proof.tolerance)) {
         throw_violation("(2), volumes", "they sum to " + std::to_string(proof.volume) + ", not " +
@@ -169,11 +136,6 @@ void compare_indices(const EncodedFile& file, const GlbSurfaces& glb, const GlbS
     }
 }
 
-space::Vec3 stated_normal(const GlbSurfaces& glb, int v) {
-    const auto& [x, y, z] = glb.normals[v];
-    return {x, y, z};
-}
-
 void compare_normals(const EncodedFile& file, const GlbSurfaces& glb, double largest) {
     const space::TileSurface& surface = glb.list.surface;
     for (int f = 0; f < surface.n_faces(); ++f) {
@@ -181,7 +143,7 @@ void compare_normals(const EncodedFile& file, const GlbSurfaces& glb, double lar
         const FaceSize face(surface.points, surface.faces[f]);
         const space::Vec3 wanted = face.area.stableNormalized();
         const space::Vec3 first = stated_normal(glb, surface.faces[f].front());
-        const double tolerance = 4 * (kSingle + face.tilt(kSingle * largest));
+        const double tolerance = 4 * (kSingleEpsilon + face.tilt(kSingleEpsilon * largest));
         for (const int v : surface.faces[f]) {
             const space::Vec3 normal = stated_normal(glb, v);
             if ((normal - wanted).norm() <= tolerance) continue;
@@ -209,72 +171,11 @@ void compare_seam(const EncodedFile& file, const GlbSurfaces& glb, double larges
     for (const auto& [offset, middle] : middles) {
         const auto other = middles.find(-offset);
         const space::Vec3 there = middle + surface.lattice.translation(offset);
-        if (other != middles.end() && (other->second - there).norm() <= 4 * kSingle * largest) {
+        if (other != middles.end() &&
+            (other->second - there).norm() <= 4 * kSingleEpsilon * largest) {
             continue;
         }
         throw_bad(file, seam_name(offset) + " does not meet the other side by its translation");
-    }
-}
-
-/// The sites of the torus, found by their position.
-class SiteImages {
-   public:
-    SiteImages(const space::Lattice& lattice, const space::Points& sites) : lattice_(lattice) {
-        for (const auto& site : sites.colwise()) {
-            const space::Vec3 u = lattice.to_lattice(site);
-            sorted_.emplace(u.x() - std::floor(u.x()), site);
-        }
-    }
-
-    /// Whether an image of a site lies within `distance` of a point.
-    bool any_at(const space::Vec3& point, double distance) const {
-        const space::Vec3 u = lattice_.to_lattice(point);
-        const double at = u.x() - std::floor(u.x());
-        // The first lattice coordinate changes by at most this much.
-        const space::Vec3 across = lattice_.b().cross(lattice_.c());
-        const double width = distance * across.norm() / lattice_.volume() + 4 * kDouble;
-        return std::any_of(kTurns.begin(), kTurns.end(), [&](double turn) {
-            auto found = sorted_.lower_bound(at + turn - width);
-            for (; found != sorted_.end() && found->first <= at + turn + width; ++found) {
-                const space::Vec3 difference = lattice_.to_lattice(point - found->second);
-                const space::Vec3 rest = difference - space::Vec3(difference.array().round());
-                if (lattice_.to_position(rest).norm() <= distance) return true;
-            }
-            return false;
-        });
-    }
-
-   private:
-    static constexpr std::array<double, 3> kTurns{-1, 0, 1};
-
-    const space::Lattice& lattice_;
-    std::multimap<double, space::Vec3> sorted_;
-};
-
-void compare_sites(const GlbSurfaces& glb, double largest) {
-    const space::TileSurface& surface = glb.list.surface;
-    const std::size_t n_cells = glb.groups.size();
-    if (surface.sites.cols() != static_cast<Eigen::Index>(n_cells)) {
-        throw_violation(kSiteLaw, "there are " + std::to_string(surface.sites.cols()) +
-                                      " sites of " + std::to_string(n_cells) + " cells");
-    }
-    const SiteImages images(surface.lattice, surface.sites);
-    // Proved corners lie at most this far off the planes between sites.
-    const double off =
-        space::kBisectorTolerance * portable_cbrt(surface.lattice.volume() / double(n_cells));
-    for (int f = 0; f < surface.n_faces(); ++f) {
-        checkpoint_each(f);
-        const FaceSize face(surface.points, surface.faces[f]);
-        const space::Vec3 normal = stated_normal(glb, surface.faces[f].front());
-        const space::Vec3 site = surface.sites.col(surface.cell[f]);
-        const space::Vec3 arm = face.centre - site;
-        const double height = arm.dot(normal);
-        const double tilt = kSingle + face.tilt(off);
-        const double tolerance = 4 * (kSingle * largest + tilt * arm.norm());
-        // The rounding of corners may move a plane to the other side of a site near it.
-        if (height > -tolerance && images.any_at(site + 2 * height * normal, tolerance)) continue;
-        throw_violation(kSiteLaw, "the site of " + glb.groups[surface.cell[f]].name +
-                                      ", mirrored in a face of its cell, is not a site");
     }
 }
 
@@ -334,7 +235,7 @@ bool fits_single_precision(const SurfaceMesh& mesh) {
         smallest =
             std::min({smallest, face.shortest_edge, face.area.norm() / (face.perimeter / 2)});
     }
-    return kResolved * kSingle * largest_coordinate(mesh.points, mesh.faces) <= smallest;
+    return kResolved * kSingleEpsilon * largest_coordinate(mesh.points, mesh.faces) <= smallest;
 }
 
 GlbProof prove_glb_surfaces(const EncodedFile& file, const GlbSurfaces& glb) {

@@ -28,8 +28,9 @@ struct GlbProof {
 ///
 /// For a file that pcvt wrote with a node for each part, it proves the other fields too: JSON,
 /// indices and normals are those that encode_glb_surfaces() gives for the faces of the file; the
-/// site of each cell, mirrored in any face of that cell, is an image of a site; each side of a seam
-/// meets the other one by its translation. All of this holds within the rounding of single
+/// site of each cell, mirrored in any face of that cell, is an image of a site; of power cells,
+/// each face lies in the plane that the sites and the weights on both sides give; each side of a
+/// seam meets the other one by its translation. All of this holds within the rounding of single
 /// precision. Files of other programs, and the single node of many parts, state less.
 ///
 /// Example usage:

@@ -26,6 +26,7 @@ struct Notes {
     std::vector<double> lattice;
     std::vector<double> short_edges;
     std::vector<double> sites;
+    std::vector<double> weights;
     CellMaterials materials;
 };
 
@@ -38,7 +39,8 @@ Notes read_notes(const EncodedFile& boundary) {
     };
     const Row rows[] = {{"lattice", 9, notes.lattice},
                         {"short_edges", 1, notes.short_edges},
-                        {"site", 3, notes.sites}};
+                        {"site", 3, notes.sites},
+                        {"weight", 1, notes.weights}};
     read_foam_notes(boundary, [&](const LineScanner& scanner, std::string_view key,
                                   std::span<const std::string_view> values) {
         if (take_material(scanner, key, values, notes.materials)) return;
@@ -112,6 +114,10 @@ FoamCase foam_case(const SpaceTile& tile) {
         for (const double x : site) append_number(notes += ' ', x);
         notes += '\n';
     }
+    for (const double weight : tile.weights) {
+        append_number(notes += "// pcvt weight ", weight);
+        notes += '\n';
+    }
     append_materials(notes, "// pcvt ", tile.materials);
     return {.cells = FoamCells::kPolyhedra,
             .mesh = tile.mesh,
@@ -147,6 +153,13 @@ SpaceTile decode_foam_polyhedra(const std::vector<EncodedFile>& files, double to
     mesh.point_offset = std::move(joined.point_offset);
     tile.sites = Eigen::Map<const space::Points>(notes.sites.data(), 3,
                                                  static_cast<Eigen::Index>(notes.sites.size() / 3));
+    tile.weights =
+        Eigen::Map<const Eigen::VectorXd>(notes.weights.data(), std::ssize(notes.weights));
+    if (tile.weights.size() != 0 && tile.weights.size() != tile.sites.cols()) {
+        throw BadFile(boundary.path + ": there are " + std::to_string(tile.weights.size()) +
+                      " weights of " + std::to_string(tile.sites.cols()) +
+                      " sites; write the case again with pcvt");
+    }
     tile.materials = std::move(notes.materials);
     if (!tile.materials.site_phase.empty()) foam_mesh_file(files, "cellZones");
     require_materials(boundary.path, tile.materials, mesh.n_cells);

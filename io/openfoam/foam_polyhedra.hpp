@@ -9,9 +9,9 @@
 namespace pcvt {
 
 /// Returns the case of a tile of polyhedra, with a BeltramiFlow at the centroids of the cells. Cell
-/// s is the cell of site s. The notes hold the period vectors, the images of the sites, the length
-/// of removed edges and the materials. The cells of each phase are the zone phase_NAME. The tile
-/// must outlive the case.
+/// s is the cell of site s. The notes hold the period vectors, the images of the sites and their
+/// weights, the length of removed edges and the materials. The cells of each phase are the zone
+/// phase_NAME. The tile must outlive the case.
 ///
 /// Example usage:
 ///     const std::vector<EncodedFile> files = encode_foam(foam_case(tile), "tile.foam");

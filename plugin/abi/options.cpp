@@ -312,7 +312,7 @@ Job make_job(const pcvt_options& options) {
     job.tile.order = grain_order(options);
     job.run.solver = solver(options.solver, in_space);
     job.run.n_threads = thread_count(options.n_threads);
-    job.tile.repeat = {options.columns, options.rows};
+    job.tile.repeat = {options.columns, options.rows, options.layers == 0 ? 1 : options.layers};
     if (options.find_origin != 0 && options.find_origin != 1) {
         throw InvalidInput("find_origin is neither 0 nor 1");
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "mesher/space/mesh/cell_faces.hpp"
 #include "plugin/abi/guard.hpp"
@@ -58,7 +59,9 @@ double SpaceResult::energy_bound() const { return pcvt::energy_bound(job()); }
 const ProvedSpaceTile& SpaceResult::tile(JobMonitor& monitor) const {
     return tile_.get([&] {
         require_available("the cells take", space_memory_to_write(job(), {}), "take fewer sites");
-        return SpaceWorld::build_tiles(job(), {}, computed(), monitor);
+        Job one = job();
+        one.tile.repeat = {};
+        return SpaceWorld::build_tiles(one, {}, computed(), monitor);
     });
 }
 
@@ -116,8 +119,10 @@ pcvt_statistics SpaceResult::statistics() const {
 bool SpaceResult::write(const WriteRequest& request, const JobCallback& callback) const {
     // A wrong output is not a fault of the cells.
     plan_files(job_of(request));
-    const auto make_tile = [this](JobMonitor& monitor) -> const ProvedSpaceTile& {
-        return tile(monitor);
+    std::optional<ProvedSpaceTile> repeated;
+    const auto make_tile = [&](JobMonitor& monitor) -> const ProvedSpaceTile& {
+        if (job().tile.repeat.n_copies() == 1) return tile(monitor);
+        return repeated.emplace(SpaceWorld::build_tiles(job(), {}, computed(), monitor));
     };
     return from_geometry([&] { return ComputedJob::write(request, make_tile, callback); });
 }

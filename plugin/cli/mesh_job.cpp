@@ -184,7 +184,7 @@ void read_run(const CLI::App& app, const MeshOptions& options, Job& job) {
         }
     }
     if (app.count("--repeat") > 0) {
-        job.tile.repeat = repetition("--repeat", options.repeat);
+        job.tile.repeat = repetition("--repeat", options.repeat, job.is_in_space() ? 3 : 2);
     }
 }
 

@@ -134,7 +134,8 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
     add(app, "--order", options.order, "1|2",
         "2: grains with nodes in the middle of edges, in formats that hold them [1]");
     add_number(app, "--short-edges", options.numbers);
-    add(app, "--repeat", options.repeat, "IxJ", "a tile of I x J domains [1x1]");
+    add(app, "--repeat", options.repeat, "IxJ[xK]",
+        "a tile of I x J domains, in space of I x J x K [1x1]");
     app.add_option("-o", options.job.outputs,
                    "an output, repeatable; none: only the summary; the extension decides:\n" +
                        wrapped(output_extensions()) +

@@ -176,7 +176,10 @@ constexpr std::array kFeatures{
                .fields = "grain_per_edge",
                .is_chosen = [](const Job& job) { return job.tile.grain_per_edge > 0; }},
     FeatureRow{.feature = F::kOrder, .option = "--order", .fields = "grain_order"},
-    FeatureRow{.feature = F::kRepeat, .option = "--repeat", .fields = "columns rows"},
+    FeatureRow{
+        .feature = F::kRepeat, .option = "--repeat", .fields = "columns rows", .in_space = true},
+    FeatureRow{
+        .feature = F::kRepeatLayers, .fields = "layers", .in_plane = false, .in_space = true},
     FeatureRow{.feature = F::kRepeatAcrossWalls,
                .is_chosen =
                    [](const Job& job) {

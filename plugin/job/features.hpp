@@ -57,6 +57,7 @@ enum class Feature : std::uint8_t {
     kGrainPerEdge,
     kOrder,
     kRepeat,
+    kRepeatLayers,
     kRepeatAcrossWalls,
     kShortEdgesInSpace,
     kTable,

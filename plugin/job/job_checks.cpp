@@ -84,12 +84,20 @@ void check_grains(const Job& job) {
 }
 
 void check_repetition(const Job& job) {
-    if (job.tile.repeat.columns < 1 || job.tile.repeat.rows < 1)
+    const auto [columns, rows, layers] = job.tile.repeat;
+    if (std::min({columns, rows, layers}) < 1) {
         throw InvalidInput("a repetition is below 1; take 1 x 1");
-    if (job.tile.repeat.columns <= kMostPeriods && job.tile.repeat.rows <= kMostPeriods) return;
-    throw LimitExceeded("repeated " + std::to_string(job.tile.repeat.columns) + " x " +
-                        std::to_string(job.tile.repeat.rows) + ": more than " +
-                        std::to_string(kMostPeriods) + " periods in a row; repeat less often");
+    }
+    if (std::max({columns, rows, layers}) > kMostPeriods) {
+        throw LimitExceeded("repeated " + std::to_string(columns) + " x " + std::to_string(rows) +
+                            (job.is_in_space() ? " x " + std::to_string(layers) : "") +
+                            ": more than " + std::to_string(kMostPeriods) +
+                            " periods in a row; repeat less often");
+    }
+    const int most = job.is_in_space() ? space::kMostSites : plane::kMostSites;
+    if (double(job.n_wanted()) * job.tile.repeat.n_copies() <= most) return;
+    throw LimitExceeded("more than " + std::to_string(most) +
+                        " cells in one tile; take fewer sites or repeat less often");
 }
 
 void check_meshes(const Job& job) {
@@ -199,6 +207,7 @@ void check_constraints(const Job& job) {
 /// Checks what follows from the options of a job in space.
 void check_space(const Job& job) {
     check_aspect(job);
+    check_repetition(job);
     check_stability(job);
     check_short_edges(job);
     check_origin(job.in_space(), job.n_wanted());
@@ -215,10 +224,6 @@ void check_plane(const Job& job) {
     check_repetition(job);
     check_stability(job);
     check_meshes(job);
-    if (n * job.tile.repeat.n_copies() > plane::kMostSites) {
-        throw LimitExceeded("more than " + std::to_string(plane::kMostSites) +
-                            " cells in one tile; take fewer sites or repeat less often");
-    }
     check_origin(job, reduce_repeated(job), n);
     check_holes(job);
     if (job.inclusions) require_tag_names(*job.inclusions);

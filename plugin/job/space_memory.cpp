@@ -53,15 +53,17 @@ double voxels_bytes(const Job& job, const std::vector<JobFile>& files) {
 }  // namespace
 
 double memory_in_space(const Job& job, const std::vector<JobFile>& files) {
-    const double n = job.n_wanted();
+    const double n = job.n_wanted() * job.tile.repeat.n_copies();
     // The bytes a site are those of sites that are spread evenly.
-    const double n_even = std::max(n, job.n_tetrahedra / space::kTetrahedraPerSite);
+    const double n_even =
+        std::max(n, job.n_tetrahedra * job.tile.repeat.n_copies() / space::kTetrahedraPerSite);
     return kCommandBytes + kThreadBytes * job.run.n_threads + n_even * largest_bytes(job, files) +
            voxels_bytes(job, files);
 }
 
 double space_memory_to_write(const Job& job, const std::vector<JobFile>& files) {
-    return job.n_wanted() * (largest_bytes(job, files) - kComputed) + voxels_bytes(job, files);
+    return job.n_wanted() * job.tile.repeat.n_copies() * (largest_bytes(job, files) - kComputed) +
+           voxels_bytes(job, files);
 }
 
 std::string space_run_takes(const Job& job) {

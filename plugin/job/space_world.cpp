@@ -1,6 +1,7 @@
 #include "plugin/job/space_world.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "mesher/space/proof/tetrahedral_proof.hpp"
 #include "mesher/space/search/lattice_pattern.hpp"
 #include "mesher/space/search/lattice_stability.hpp"
+#include "mesher/space/tessellation/repeated_cells.hpp"
 #include "mesher/space/voxels/voxel_image.hpp"
 #include "plugin/job/job_start.hpp"
 #include "plugin/job/job_tessellation.hpp"
@@ -112,8 +114,26 @@ std::string flat_in_words(const space::TetrahedralMesh& mesh, const std::vector<
            ", which lie in one plane up to rounding, as where more than four sites lie on a sphere";
 }
 
+/// The cells of all periods of a tile; nothing where it has one.
+std::optional<space::Tessellation> all_periods(const Job& job, const space::Tessellation& cells) {
+    if (job.tile.repeat.n_copies() == 1) return std::nullopt;
+    return repeated_cells(cells, job.tile.repeat);
+}
+
+/// The materials of the cells of several periods.
+CellMaterials repeated(const CellMaterials& materials, const Repetition& repeat) {
+    CellMaterials all{.phase_names = materials.phase_names};
+    for (int copy = 0; copy < static_cast<int>(repeat.n_copies()); ++copy) {
+        all.site_phase.insert(all.site_phase.end(), materials.site_phase.begin(),
+                              materials.site_phase.end());
+        all.site_orientation.insert(all.site_orientation.end(), materials.site_orientation.begin(),
+                                    materials.site_orientation.end());
+    }
+    return all;
+}
+
 /// The tetrahedra, if a file holds them.
-std::optional<space::TetrahedralMesh> build_tetrahedra(const space::Tessellation& cells,
+std::optional<space::TetrahedralMesh> build_tetrahedra(const space::Tessellation& one_period,
                                                        const Job& job,
                                                        const std::vector<JobFile>& files,
                                                        JobMonitor& monitor) {
@@ -122,6 +142,8 @@ std::optional<space::TetrahedralMesh> build_tetrahedra(const space::Tessellation
     });
     if (file == files.end()) return {};
     monitor.begin(Phase::kBuilding, "building the tetrahedra");
+    const std::optional<space::Tessellation> all = all_periods(job, one_period);
+    const space::Tessellation& cells = all ? *all : one_period;
     const space::PeriodicDelaunay& delaunay = cells.delaunay;
     const space::Vec3& origin = job.in_space().origin;
     space::TetrahedralMesh mesh =
@@ -193,12 +215,13 @@ struct SpaceContent {
     std::vector<EncodedFile> encode_voxels(const JobFile& file) const {
         const SpaceDomain& domain = job.in_space();
         const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
-        const VoxelCounts counts =
-            requested_voxels(domain.lattice, delaunay.sites.n_sites(), job.file_options.voxels);
+        const space::Lattice whole = repeated_lattice(domain.lattice, job.tile.repeat);
+        const VoxelCounts counts = requested_voxels(
+            whole, delaunay.sites.n_sites() * job.tile.repeat.n_copies(), job.file_options.voxels);
         const space::Metric metric = computation.cells.metric();
-        const space::VoxelImage image = voxel_image(
-            delaunay, delaunay.weights, voxel_grid(domain.lattice, domain.origin, counts),
-            job.run.n_threads, metric);
+        const space::VoxelImage image =
+            voxel_image(delaunay, delaunay.weights, voxel_grid(whole, domain.origin, counts),
+                        job.run.n_threads, metric);
         const space::VoxelCells cells{.lattice = domain.lattice,
                                       .sites = points,
                                       .weights = delaunay.weights,
@@ -271,10 +294,12 @@ Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor,
 SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobFile>& /*files*/,
                                           const Computation<SpaceWorld>& computation,
                                           JobMonitor& monitor) {
-    const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
-    const space::Sites& sites = computation.cells.sites();
     monitor.begin(Phase::kBuilding, "building the cells");
-    space::CellComplex complex = computation.cells.complex();
+    const std::optional<space::Tessellation> all = all_periods(job, computation.cells);
+    const space::Tessellation& written = all ? *all : computation.cells;
+    const space::PeriodicDelaunay& delaunay = written.delaunay;
+    const space::Sites& sites = written.sites();
+    space::CellComplex complex = written.complex();
     const std::size_t n_vertices = complex.vertices.size();
     complex = without_short_edges(std::move(complex), job.tile.short_edges);
     const bool are_plain = delaunay.weights.size() == 0 && !computation.cells.elongation;
@@ -286,7 +311,7 @@ SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobF
     tile.mesh.metric = computation.cells.metric();
     tile.weights = delaunay.weights;
     tile.sites = are_plain ? sites_in_cells(sites, tile.mesh) : sites_of_cells(complex, images);
-    tile.materials = computation.materials;
+    tile.materials = repeated(computation.materials, job.tile.repeat);
     monitor.begin(Phase::kProving, "proving the cells");
     try {
         built.figures.proof = prove_polyhedra(tile.mesh);
@@ -297,6 +322,10 @@ SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobF
     const space::CellFaces cells(tile.mesh);
     for (int s = 0; s < cells.n_cells(); ++s) {
         ++built.face_counts[static_cast<int>(cells[s].size())];
+    }
+    // The cells of one period.
+    for (auto& [n_faces, count] : built.face_counts) {
+        count = static_cast<int>(std::lround(count / job.tile.repeat.n_copies()));
     }
     return built;
 }

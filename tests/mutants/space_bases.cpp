@@ -75,7 +75,7 @@ void add_materials(const SpaceFormat& format, const SpaceCase& c, const std::str
         if (row.colouring != Colouring::kPhase) tile.materials.site_phase.clear();
         if (row.colouring != Colouring::kPhase) tile.materials.phase_names.clear();
         if (row.colouring != Colouring::kOrientation) tile.materials.site_orientation.clear();
-        bases.push_back({std::string(row.word) + " " + c.name, plane::MeshKind::kVoronoi,
+        bases.push_back({std::string("by ") + row.word + " " + c.name, plane::MeshKind::kVoronoi,
                          format.encode(tile, {.colouring = row.colouring}, path)});
         tile.materials = some_materials(5);
     }

@@ -9,6 +9,8 @@ namespace {
 constexpr std::string_view kLongerBound =
     "another bound of the removed edges, which only the proof reads";
 constexpr std::string_view kUserWords = "the names of the phases are the user's words, stated once";
+constexpr std::string_view kSameColour =
+    "another orientation with the same colour in the pole figure";
 constexpr std::string_view kStatedOnce = "orientations that no colours show are stated once";
 constexpr std::string_view kMovedCorners = "less than the distance by which corners were moved";
 
@@ -42,13 +44,14 @@ std::span<const Harmless> harmless_in_space() {
                  "boundary one"},
         Harmless{"face.halfedge", "", "another halfedge of the face"},
         Harmless{"PhaseNames*", "", kUserWords, "materials"},
-        Harmless{"Orientation value", "",
-                 "another orientation with the same colour in the pole figure", "materials"},
+        Harmless{"Orientation value", "", kSameColour, "materials"},
         Harmless{"phases", "word", kUserWords, "materials"},
-        Harmless{"phases", "word", kUserWords, "phase"},
+        Harmless{"phases", "word", kUserWords, "by phase"},
         Harmless{"angles*", "", kStatedOnce, "materials"},
         Harmless{"alone angles*", "", kStatedOnce, "materials"},
         Harmless{"pcvt angles*", "", kStatedOnce, "materials"},
+        Harmless{"angles*", "", kSameColour, "by orientation"},
+        Harmless{"alone angles*", "", kSameColour, "by orientation"},
         Harmless{"alone mtllib*", "", "the material file is missing"},
         Harmless{"alone usemtl*", "", "the material file is missing"},
     };
@@ -64,6 +67,16 @@ std::span<const Harmless> harmless_in_space_glb() {
                  "cells left-handed"},
         Harmless{"nodes.extras.periodic.lattice row", "swap", "another basis of the same lattice",
                  "cells"},
+        Harmless{"nodes.extras.periodic.lattice row", "swap", "another basis of the same lattice",
+                 "materials"},
+        Harmless{"nodes.extras.periodic.lattice row", "swap", "another basis of the same lattice",
+                 "by "},
+        Harmless{"nodes.extras.periodic.lattice row", "swap", "another basis of the same lattice",
+                 "power"},
+        Harmless{"nodes.extras.periodic.orientations*", "", kStatedOnce, "materials"},
+        Harmless{"nodes.extras.periodic.orientations*", "", kSameColour, "by orientation"},
+        Harmless{"meshes.primitives.material", "", "colours that only tell neighbours apart",
+                 "by cells"},
         Harmless{"NORMAL.x", "digit", kSingle},
         Harmless{"NORMAL.y", "digit", kSingle},
         Harmless{"NORMAL.z", "digit", kSingle},

@@ -150,21 +150,28 @@ space::Lattice space_lattice(const std::string& option, const std::string& text)
     return make_space_lattice(option, text, numbers(option, text, 9, "AX,AY,AZ,BX,BY,BZ,CX,CY,CZ"));
 }
 
-Repetition repetition(const std::string& option, const std::string& text) {
-    const std::size_t cross = text.find('x');
-    std::uint64_t columns = 0;
-    std::uint64_t rows = 0;
-    if (cross == std::string::npos || !read_digits(text.substr(0, cross), columns) ||
-        !read_digits(text.substr(cross + 1), rows) || columns == 0 || rows == 0) {
-        throw_bad_value(option, text,
-                        "not of the form IxJ; give two whole numbers from 1 on, such as 2x3");
+Repetition repetition(const std::string& option, const std::string& text, int n_periods) {
+    std::array<std::uint64_t, 3> copies{1, 1, 1};
+    std::string rest = text;
+    bool is_read = true;
+    for (int k = 0; k < n_periods; ++k) {
+        const std::size_t cross = k + 1 < n_periods ? rest.find('x') : rest.size();
+        is_read = is_read && cross != std::string::npos &&
+                  read_digits(rest.substr(0, cross), copies[k]) && copies[k] > 0;
+        rest.erase(0, is_read ? cross + 1 : 0);
     }
-    constexpr std::uint64_t kMost = kMostPeriods;
-    if (columns > kMost || rows > kMost) {
+    if (!is_read) {
+        throw_bad_value(option, text,
+                        n_periods == 3
+                            ? "not of the form IxJxK; give three whole numbers from 1 on, such as "
+                              "2x2x2"
+                            : "not of the form IxJ; give two whole numbers from 1 on, such as 2x3");
+    }
+    if (*std::max_element(copies.begin(), copies.end()) > std::uint64_t{kMostPeriods}) {
         throw LimitExceeded(option + " " + text + ": more than " + std::to_string(kMostPeriods) +
                             " periods in a row; repeat less often");
     }
-    return {static_cast<int>(columns), static_cast<int>(rows)};
+    return {static_cast<int>(copies[0]), static_cast<int>(copies[1]), static_cast<int>(copies[2])};
 }
 
 std::array<double, 2> coriolis_parameter(const std::string& option, const std::string& text) {

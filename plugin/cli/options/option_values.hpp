@@ -73,7 +73,7 @@ std::array<double, 2> coriolis_parameter(const std::string& option, const std::s
 /// "NX,NY" or "NX,NY,NZ", whole numbers, the first two at least kLeastVoxels.
 VoxelCounts voxel_counts(const std::string& option, const std::string& text);
 
-/// "IxJ", whole numbers, at least 1.
-Repetition repetition(const std::string& option, const std::string& text);
+/// "IxJ", or of three periods "IxJxK", whole numbers, at least 1.
+Repetition repetition(const std::string& option, const std::string& text, int n_periods);
 
 }  // namespace pcvt::cli

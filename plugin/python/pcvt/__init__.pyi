@@ -221,7 +221,7 @@ def mesh(
     period: Optional[ArrayLike] = None,
     density_range: Tuple[float, float] = (0, 0),
     origin: Union[str, ArrayLike] = (0, 0),
-    repeat: Tuple[int, int] = (1, 1),
+    repeat: Tuple[int, ...] = (1, 1),
     seed: int = 0,
     start: str = "default",
     solver: str = "default",

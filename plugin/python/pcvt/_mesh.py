@@ -68,6 +68,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     max_iterations centroidal steps, five where it is negative, make the cells round
     aspect          R or (R, degrees): cells R times as long along degrees from x as across, 0.01 to
                     100; in space R or (R, (x, y, z)), along that axis
+    repeat          the domains that a tile covers, (columns, rows), in space those that files hold,
+                    (columns, rows, layers)
     fields          numbers of pcvt_options, by their names in pcvt.h
 
     The arguments that follow are for the plane only.
@@ -77,7 +79,6 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     or the name of a .png file. None: uniform. A function is called on the calling
                     thread, for a few thousand points at a time
     density_range   of the image; 0, 0: pcvt chooses
-    repeat          (columns, rows): the domains that a tile covers
     grain_order, grain_size, grain_per_edge, budget
                     as in pcvt.h
     areas           cells of prescribed areas, power cells: shape (n,), positive numbers in any unit,
@@ -121,9 +122,9 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     _angles = set_materials(options, phases, orientations, orientation_weights)
     _fixed = set_fixed(options, fixed)
     set_inclusions(options, inclusions, fibres, holes)
-    columns, rows = repeat
+    columns, rows, *layers = repeat
     set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
-                 columns=columns, rows=rows, grain_order=grain_order, grain_per_edge=grain_per_edge,
+                 columns=columns, rows=rows, layers=layers[0] if layers else 0, grain_order=grain_order, grain_per_edge=grain_per_edge,
                  budget=budget, walls=choice("walls", walls), wall_cells=choice("wall_cells", wall_cells),
                  symmetry=0 if symmetry is None else choice("symmetry", symmetry),
                  duplicates=choice("duplicates", duplicates, dimension=dimension),

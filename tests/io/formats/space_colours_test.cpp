@@ -135,12 +135,26 @@ TEST(SpaceColours, DamagedStatementsAreRefused) {
         refused("t.glb", "\"colouring\":\"phase\"", "\"colouring\":\"faces\"", Colouring::kPhase));
     EXPECT_TRUE(refused("t.glb", "\"sitePhases\":[0,1", "\"sitePhases\":[1,1", Colouring::kPhase));
     EXPECT_TRUE(refused("t.glb", "\"sitePhases\":[0,1", "\"sitePhases\":[7,1", Colouring::kPhase));
+    EXPECT_TRUE(refused("t.glb", "\"phases\":[\"a\"", "\"phases\":[\"b\"", Colouring::kPhase));
+    EXPECT_TRUE(refused("t.glb", "\"phases\":[\"a\"", "\"phases\":[7", Colouring::kPhase));
 }
 
 TEST(SpaceColours, PowerCellsStateTheirWeights) {
     for (const int n : {1, 2, 5, 30}) {
         SpaceTile tile = testing::power_tile_of(random_case(n), n > 5 ? 0.004 : 0.02);
         tile.materials = testing::some_materials(n);
+        prove_own_space_files(encoded(tile, "t.foam"), tile);
+        const auto glb = encoded(tile, "t.glb", {.colouring = Colouring::kSize});
+        prove_own_space_files(glb, tile);
+        EXPECT_FALSE(is_refused(glb));
+        for (int s = 0; n > 1 && s < std::min(n, 6); ++s) {
+            SpaceTile other = tile;
+            other.weights[s] += 1e-3;
+            EXPECT_TRUE(is_refused(encoded(other, "t.glb"))) << s;
+            other = tile;
+            other.sites(s % 3, s) += 1e-3;
+            EXPECT_TRUE(is_refused(encoded(other, "t.glb"))) << s;
+        }
         for (const char* path : {"t.obj", "t.ply"}) {
             SCOPED_TRACE(path + std::to_string(n));
             std::vector<EncodedFile> files = encoded(tile, path, {.colouring = Colouring::kSize});

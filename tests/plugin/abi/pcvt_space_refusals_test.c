@@ -24,8 +24,6 @@ static void each_field_of_the_plane_is_refused_by_its_name(void) {
     const double three[9] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
     PLANE_FIELD(lattice[2], "lattice", 0.5);
     PLANE_FIELD(find_origin, "find_origin", 1);
-    PLANE_FIELD(columns, "columns", 2);
-    PLANE_FIELD(rows, "rows", 2);
     PLANE_FIELD(grain_order, "grain_order", 1);
     PLANE_FIELD(grain_size, "grain_size", 0.1);
     PLANE_FIELD(grain_per_edge, "grain_per_edge", 2);

@@ -83,7 +83,7 @@ class Options(CliTest):
               "--coriolis": 1, "--cut": 9, "--density": 1, "--density-range": "1,2", "--fibres": "0.2,3",
               "--fixed": "a.txt", "--hole": "a", "--inclusions": "a.txt", "--material": "same",
               "--orientations": "random", "--origin": "0,0", "--order": 2, "--per-edge": 2, "--phases": "a:1",
-              "--pixels": 9, "--repeat": "2x1", "--retry": 1, "--size": 0.1, "--thickness": 1, "--voxels": "9,9",
+              "--pixels": 9, "--retry": 1, "--size": 0.1, "--thickness": 1, "--voxels": "9,9",
               "--weights": "w.txt"}
 
     def setUp(self):

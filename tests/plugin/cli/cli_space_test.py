@@ -304,7 +304,7 @@ class Tetrahedra(CliTest):
 
 class Refusals(CliTest):
     def test_options_of_the_plane(self):
-        for words in (("--density", "1"), ("--symmetry", "p4"), ("--repeat", "2x1"),
+        for words in (("--density", "1"), ("--symmetry", "p4"),
                       ("--outline", "box"), ("--areas", "lognormal:0.3"), ("--walls", "x"), ("--budget", "5"),
                       ("--float32",)):
             self.refuse(2, rf"^pcvt: {words[0]} is not for three dimensions; leave it out, or give two period vectors$",

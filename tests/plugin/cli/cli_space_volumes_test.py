@@ -126,7 +126,7 @@ class Volumes(CliTest):
         self.refuse(2, "--start lattice does not work with --volumes", *mesh, "equal", "--start", "lattice")
         self.refuse(2, "--stability does not work with --volumes", *mesh, "equal", "--stability")
         self.refuse(2, "--short-edges does not work with --volumes", *mesh, "equal", "--short-edges", 0.01)
-        self.refuse(2, "cannot state the weights of power cells; take .obj", *mesh, "equal", "-o", "t.glb")
+        self.refuse(2, "cannot state the weights of power cells; take .obj", *mesh, "equal", "-o", "t.om")
         self.refuse(2, "--volumes is for three dimensions", "mesh", "--sites", 3, "--volumes", "equal")
 
 

@@ -97,6 +97,28 @@ class Files(CliTest):
         self.assertGreater(len(folders["command"]), 10)
         self.assertEqual(folders["python"], folders["command"])
 
+    def test_periods_are_repeated_as_by_the_command(self):
+        self.succeed("mesh", "--sites", 20, "--period", "1,1,1", "--repeat", "2x1x3", "--quiet", "-o", "a.vtu", "-o", "a.glb")
+        result = pcvt.mesh(20, period=(1, 1, 1), repeat=(2, 1, 3))
+        for name in ("vtu", "glb"):
+            result.write(self.path(f"b.{name}"))
+            self.assertEqual(self.path(f"b.{name}").read_bytes(), self.path(f"a.{name}").read_bytes())
+        # Arrays are those of one period.
+        self.assertEqual(len(result.tile().volumes), 20)
+        self.assertAlmostEqual(result.tile().volumes.sum(), 1, 12)
+
+    def test_colours_are_those_of_the_command(self):
+        self.succeed("mesh", "--sites", 12, "--period", "1,1,1", "--orientations", "random", "--colour", "orientation", "--quiet",
+                     "-o", "a.obj", "-o", "a.glb")
+        result = pcvt.mesh(12, period=(1, 1, 1), orientations="random")
+        for name in ("obj", "glb"):
+            result.write(self.path(f"b.{name}"), colour="orientation")
+        files = self.contents()
+        self.assertEqual(files["b.glb"], files["a.glb"])
+        self.assertEqual(files["b.obj"].replace(b"b.mtl", b"a.mtl"), files["a.obj"])
+        with self.assertRaisesRegex(pcvt.ArgumentError, "'sides' is unknown; take one of default, size"):
+            result.write(self.path("c.obj"), colour="sides")
+
     def test_short_edges_are_removed_as_by_the_command(self):
         self.succeed("mesh", "--sites", 60, "--period", "1,1,1", "--max-iterations", 0, "--short-edges", "0.05",
                      "--quiet", "-o", "a.vtu")
@@ -206,7 +228,7 @@ class Mesh(CliTest):
     def test_arguments_for_the_plane_are_refused_by_name_at_once(self):
         shapes = (("circle", "a", 0.5, 0.5, 0.1), ("polygon", "b", ((0, 0), (0.1, 0), (0, 0.1))))
         for name, value in (("density", "1 + x"), ("density", lambda x, y: 1), ("density_range", (1, 2)),
-                            ("repeat", (2, 1)), ("grain_order", 2),
+                            ("grain_order", 2),
                             ("grain_size", 0.1), ("grain_per_edge", 2), ("budget", 9), ("areas", "equal"),
                             ("areas", np.ones(9)), ("symmetry", "p2"),
                             ("walls", "x"), ("wall_cells", "half"), ("fixed", ((0, 0),)), ("inclusions", shapes),

@@ -1,0 +1,43 @@
+#include "mesher/space/tessellation/repeated_cells.hpp"
+
+#include <utility>
+
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/space/cvt/weighted_cells.hpp"
+
+namespace pcvt::space {
+
+Lattice repeated_lattice(const Lattice& lattice, const Repetition& repeat) {
+    const auto& [a, b, c] = lattice.periods();
+    return {repeat.columns * a, repeat.rows * b, repeat.layers * c};
+}
+
+PeriodicDelaunay repeated_cells(const PeriodicDelaunay& delaunay, const Repetition& repeat) {
+    const Points sites = delaunay.sites.positions();
+    const auto& [a, b, c] = delaunay.sites.lattice().periods();
+    const Lattice lattice = repeated_lattice(delaunay.sites.lattice(), repeat);
+    const Eigen::Index n = sites.cols();
+    const auto n_copies = static_cast<Eigen::Index>(repeat.n_copies());
+    Points points(3, n * n_copies);
+    for (Eigen::Index copy = 0; copy < n_copies; ++copy) {
+        checkpoint();
+        const double i = double(copy % repeat.columns);
+        const double j = double(copy / repeat.columns % repeat.rows);
+        const double k = double(copy / repeat.columns / repeat.rows);
+        points.middleCols(copy * n, n) = sites.colwise() + Vec3(i * a + j * b + k * c);
+    }
+    if (delaunay.weights.size() == 0) return periodic_delaunay(Sites(lattice, points));
+    const Eigen::VectorXd weights = delaunay.weights.replicate(n_copies, 1);
+    return weighted_cells(lattice, points, weights, {}).delaunay;
+}
+
+Tessellation repeated_cells(const Tessellation& cells, const Repetition& repeat) {
+    Tessellation all{CvtResult{.delaunay = repeated_cells(cells.delaunay, repeat)}};
+    if (!cells.elongation) return all;
+    const Metric& metric = cells.elongation->metric;
+    const Lattice lattice = repeated_lattice(cells.sites().lattice(), repeat);
+    all.elongation = Elongation{metric, metric.from_round(all.delaunay.sites, lattice)};
+    return all;
+}
+
+}  // namespace pcvt::space
