@@ -166,6 +166,7 @@ constexpr std::array kFeatures{
     FeatureRow{.feature = F::kGrainSize,
                .option = "--size",
                .fields = "grain_size",
+               .in_space = true,
                .is_chosen = [](const Job& job) { return job.tile.grain_size > 0; }},
     FeatureRow{.feature = F::kGrainPerEdge,
                .option = "--per-edge",

@@ -19,6 +19,7 @@
 #include "mesher/space/search/lattice_stability.hpp"
 #include "mesher/space/voxels/voxel_image.hpp"
 #include "plugin/job/job_start.hpp"
+#include "plugin/job/space_grains.hpp"
 
 namespace pcvt {
 namespace {
@@ -111,11 +112,17 @@ std::string flat_in_words(const space::TetrahedralMesh& mesh, const std::vector<
            ", which lie in one plane up to rounding, as where more than four sites lie on a sphere";
 }
 
-/// The tetrahedra, if a file holds them.
-std::optional<space::TetrahedralMesh> build_tetrahedra(const space::PeriodicDelaunay& delaunay,
+/// The tetrahedra, if a file holds them or the job fills its cells.
+std::optional<space::TetrahedralMesh> build_tetrahedra(const space::Tessellation& cells,
                                                        const Job& job,
                                                        const std::vector<JobFile>& files,
-                                                       JobMonitor& monitor) {
+                                                       JobMonitor& monitor, RunSummary& summary) {
+    if (job.meshes.front() == plane::MeshKind::kGrains) {
+        SpaceGrains grains = build_space_grains(job, cells, monitor);
+        summary.space_grains = grains.figures;
+        return std::move(grains.tetrahedra);
+    }
+    const space::PeriodicDelaunay& delaunay = cells.delaunay;
     const auto file = std::find_if(files.begin(), files.end(), [&](const JobFile& f) {
         return f.format->space->shows_tetrahedra(job.meshes.front());
     });
@@ -139,6 +146,20 @@ void require_closed_boundary(const Job& job, const std::vector<JobFile>& files,
             ": the boundary of this tile touches itself, so that it is not a surface; "
             "take the surfaces of the cells as .obj, .ply or .glb, or other sites");
     }
+}
+
+/// Requires a file that states the materials of a job whose other files hold tetrahedra, which
+/// state none.
+void require_materials_held(const Job& job, const std::vector<JobFile>& files) {
+    if (job.materials.empty() || files.empty()) return;
+    const bool is_held = std::any_of(files.begin(), files.end(), [&](const JobFile& file) {
+        const SpaceFormat& format = *file.format->space;
+        return !format.shows_tetrahedra(job.meshes.front()) &&
+               (format.takes.phases || format.takes.orientations);
+    });
+    if (is_held) return;
+    throw InvalidInput(
+        "tetrahedra state no phases and no orientations; add .csv or .vti, or leave these out");
 }
 
 /// What the files of a job hold.
@@ -212,6 +233,7 @@ struct SpaceContent {
 void SpaceWorld::check_files(const Job& job, const std::vector<JobFile>& files,
                              const std::vector<std::string>& phases) {
     check_file_options(job, files, phases);
+    require_materials_held(job, files);
 }
 
 Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
@@ -278,7 +300,7 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
                                 RunSummary& summary) {
     const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
     std::optional<space::TetrahedralMesh> tetrahedra =
-        build_tetrahedra(delaunay, job, files, monitor);
+        build_tetrahedra(computation.cells, job, files, monitor, summary);
     const ProvedSpaceTile& built = tiles(monitor);
     summary.n_sites = delaunay.sites.n_sites();
     summary.energy_bound =

@@ -221,7 +221,10 @@ void prove_euler_number(const TetrahedralMesh& mesh, TetrahedralProof& proof) {
 double tetrahedron_volume(const TetrahedralMesh& mesh, int t) {
     const auto& [a, b, c, d] = mesh.tetrahedra[t];
     const Vec3& p = mesh.points[a];
-    return (mesh.points[b] - p).cross(mesh.points[c] - p).dot(mesh.points[d] - p) / 6;
+    const Vec3 n = (mesh.points[b] - p).cross(mesh.points[c] - p);
+    const Vec3 arm = mesh.points[d] - p;
+    // Files state volumes, and Eigen's dot() adds in another order on other platforms.
+    return (n.x() * arm.x() + n.y() * arm.y() + n.z() * arm.z()) / 6;
 }
 
 std::vector<int> flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites) {
