@@ -133,7 +133,7 @@ void add_files(const std::string& path, const SpaceRequest& run, Meshes meshes,
                            " does not support three dimensions; take " + space_extensions() +
                            ", or give two period vectors");
     }
-    if (mesh == plane::MeshKind::kDelaunay && format.space->encode != nullptr &&
+    if (mesh != plane::MeshKind::kVoronoi && format.space->encode != nullptr &&
         format.space->encode_tetrahedra == nullptr) {
         throw InvalidInput(path + ": the format holds no tetrahedra; take " +
                            tetrahedra_extensions() + ", or write the cells in a run of their own");

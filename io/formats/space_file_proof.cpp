@@ -192,7 +192,8 @@ void prove_own_tetrahedra(const EncodedFile& file, const space::TetrahedralMesh&
     try {
         const space::TetrahedralMesh found = prove_tetrahedral_file(file).mesh;
         if (found.points == mesh.points && found.point_site == mesh.point_site &&
-            found.point_offset == mesh.point_offset && found.tetrahedra == mesh.tetrahedra) {
+            found.point_offset == mesh.point_offset && found.tetrahedra == mesh.tetrahedra &&
+            found.cell == mesh.cell) {
             return;
         }
     } catch (const InvalidInput& error) {

@@ -15,7 +15,7 @@
 
 namespace pcvt {
 
-/// The content of a file of a tile in space: its cells, its Delaunay tetrahedra, its boundary, or
+/// The content of a file of a tile in space: its cells, its tetrahedra, its boundary, or
 /// the triangles of either of the first and the last in single precision.
 enum class SpaceFileKind { kPolyhedra, kTetrahedra, kBoundary, kTriangles };
 
@@ -76,19 +76,20 @@ struct SpaceFormat {
     /// Whether its files hold the tetrahedra, of a job with this mesh.
     bool shows_tetrahedra(plane::MeshKind mesh) const {
         return encode_tetrahedra != nullptr &&
-               (encode == nullptr || mesh == plane::MeshKind::kDelaunay);
+               (encode == nullptr || mesh != plane::MeshKind::kVoronoi);
     }
     /// Whether its files are written and never read back.
     bool is_picture() const { return encode != nullptr && kind == nullptr; }
-    /// Whether it takes a tile that lost edges: a picture, a list of sites, or cells that state it.
+    /// Whether it takes a tile that lost edges: a picture, a list of sites, tetrahedra inside of
+    /// cells, or cells that state it.
     bool takes_short_edges(plane::MeshKind mesh) const {
-        if (shows_tetrahedra(mesh)) return false;
+        if (shows_tetrahedra(mesh)) return mesh == plane::MeshKind::kGrains;
         return states_short_edges || encode == nullptr || is_picture();
     }
-    /// Whether it takes power cells: a picture, a table or a list of sites, or cells that state
-    /// their weights.
+    /// Whether it takes power cells: a picture, a table or a list of sites, tetrahedra inside of
+    /// cells, or cells that state their weights.
     bool takes_weights(plane::MeshKind mesh) const {
-        if (shows_tetrahedra(mesh)) return false;
+        if (shows_tetrahedra(mesh)) return mesh == plane::MeshKind::kGrains;
         return states_weights || encode == nullptr || is_picture();
     }
     /// Whether it takes elongated cells: a picture, a table or a list of sites, tetrahedra, or

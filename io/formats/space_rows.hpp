@@ -7,6 +7,7 @@
 
 #include "io/formats/space_format.hpp"
 #include "io/forms/space_surface.hpp"
+#include "io/forms/tetrahedra_entities.hpp"
 #include "io/gltf/space_gltf.hpp"
 #include "io/graphics/obj_reader.hpp"
 #include "io/graphics/obj_writer.hpp"

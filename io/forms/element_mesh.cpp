@@ -74,7 +74,11 @@ ElementMesh element_mesh(const space::TetrahedralMesh& tetrahedra) {
     mesh.elements.kind = ElementKind::kTetrahedron4;
     for (const std::array<int, 4>& corners : tetrahedra.tetrahedra)
         mesh.elements.nodes.add(corners);
-    mesh.node_site = tetrahedra.point_site;
+    if (tetrahedra.cell.empty()) {
+        mesh.node_site = tetrahedra.point_site;
+    } else {
+        mesh.element_site = tetrahedra.cell;
+    }
     return mesh;
 }
 

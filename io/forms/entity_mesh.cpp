@@ -7,12 +7,10 @@
 
 #include "io/forms/cell_entities.hpp"
 #include "io/forms/material_words.hpp"
-#include "io/forms/seam_entities.hpp"
 #include "io/forms/site_notes.hpp"
 #include "io/forms/site_orbits.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/cells/set_names.hpp"
-#include "mesher/space/mesh/polyhedral_mesh.hpp"
 
 namespace pcvt {
 namespace {
@@ -20,7 +18,6 @@ namespace {
 constexpr int kPoints = 0;
 constexpr int kCurves = 1;
 constexpr int kSurfaces = 2;
-constexpr int kVolumes = 3;
 
 int count(const auto& list) { return static_cast<int>(list.size()); }
 
@@ -208,124 +205,6 @@ class TileDivision {
     int first_phase_ = 0;
 };
 
-/// Divides tetrahedra. Point, curve and surface k have the tag k + 1; the physical group of a
-/// surface has its tag, and that of the volume the next one.
-class TetrahedraDivision {
-   public:
-    explicit TetrahedraDivision(const space::TetrahedralMesh& mesh)
-        : mesh_(mesh),
-          entities_(seam_entities(mesh, prove_tetrahedra(mesh))),
-          form_{.mesh = element_mesh(mesh)} {}
-
-    EntityMesh divide() {
-        form_.listed = {kVolumes, kSurfaces};
-        form_.title = "A periodic tile of tetrahedra";
-        form_.kind = kTetrahedraKind;
-        add_points();
-        add_curves();
-        add_surfaces();
-        add_volume();
-        add_links();
-        return std::move(form_);
-    }
-
-   private:
-    void add_points() {
-        point_tag_.assign(mesh_.points.size(), 0);
-        for (int k = 0; k < count(entities_.points); ++k) {
-            const int v = entities_.points[k].point;
-            point_tag_[v] = k + 1;
-            form_.entities[kPoints].add(k + 1, {}, {}, std::span(&v, 1), {});
-        }
-    }
-
-    /// Adds elements to those of a dimension; returns their indices.
-    template <std::size_t n>
-    std::vector<int> added_sides(int dimension, const std::vector<std::array<int, n>>& elements) {
-        ElementList& sides = form_.sides[dimension];
-        const int first = sides.size();
-        for (const std::array<int, n>& element : elements) sides.nodes.add(element);
-        return range(first, sides.size());
-    }
-
-    void add_curves() {
-        form_.sides[kCurves].kind = ElementKind::kLine2;
-        curves_of_.resize(entities_.surfaces.size());
-        for (int k = 0; k < count(entities_.curves); ++k) {
-            const SeamCurve& curve = entities_.curves[k];
-            for (const int surface : curve.surfaces) curves_of_[surface].push_back(k + 1);
-            std::vector<int> ends;
-            for (const int v : curve.ends) ends.push_back(point_tag_[v]);
-            form_.entities[kCurves].add(k + 1, {}, ends, curve.points,
-                                        added_sides(kCurves, curve.edges));
-        }
-    }
-
-    void add_surfaces() {
-        form_.sides[kSurfaces].kind = ElementKind::kTriangle3;
-        for (int k = 0; k < count(entities_.surfaces); ++k) {
-            const SeamSurface& surface = entities_.surfaces[k];
-            form_.groups.push_back({kSurfaces, k + 1, seam_name(surface.offset)});
-            form_.entities[kSurfaces].add(k + 1, std::array{k + 1}, curves_of_[k], surface.points,
-                                          added_sides(kSurfaces, surface.triangles));
-        }
-    }
-
-    void add_volume() {
-        const int n = count(entities_.surfaces);
-        form_.groups.push_back({kVolumes, n + 1, std::string(kDomainSet)});
-        form_.entities[kVolumes].add(1, std::array{n + 1}, range(1, n + 1), entities_.inner_points,
-                                     range(0, mesh_.n_tetrahedra()));
-    }
-
-    /// Adds a link, with the pairs of points of the elements of slave and master.
-    /// @param turned  whether the elements are traversed in opposite orders from their first point.
-    template <std::size_t n>
-    void add_link(int dimension, int slave, int master, space::Offset offset,
-                  const std::vector<std::array<int, n>>& slaves,
-                  const std::vector<std::array<int, n>>& masters, bool turned) {
-        std::map<int, int> master_of;
-        for (std::size_t e = 0; e < slaves.size(); ++e) {
-            for (std::size_t k = 0; k < n; ++k) {
-                master_of[slaves[e][k]] = masters[e][turned ? (n - k) % n : k];
-            }
-        }
-        const space::Vec3 t = mesh_.lattice.translation(offset);
-        EntityLink link{dimension, slave + 1, master + 1, {t.x(), t.y(), t.z()}};
-        for (const auto& [of, v] : master_of) link.nodes.push_back({of, v});
-        form_.links.push_back(std::move(link));
-    }
-
-    void add_links() {
-        using Single = std::vector<std::array<int, 1>>;
-        for (int k = 0; k < count(entities_.points); ++k) {
-            const auto& [point, master, offset] = entities_.points[k];
-            if (master == k) continue;
-            add_link(kPoints, k, master, offset, Single{{point}},
-                     Single{{entities_.points[master].point}}, false);
-        }
-        for (int k = 0; k < count(entities_.curves); ++k) {
-            const SeamCurve& curve = entities_.curves[k];
-            if (curve.master == k) continue;
-            add_link(kCurves, k, curve.master, curve.offset, curve.edges,
-                     entities_.curves[curve.master].edges, false);
-        }
-        for (int k = 1; k < count(entities_.surfaces); k += 2) {
-            const SeamSurface& slave = entities_.surfaces[k];
-            add_link(kSurfaces, k, slave.partner, -slave.offset, slave.triangles,
-                     entities_.surfaces[slave.partner].triangles, true);
-        }
-    }
-
-    const space::TetrahedralMesh& mesh_;
-    const SeamEntities entities_;
-    EntityMesh form_;
-    /// The tag of each point of the mesh that is an entity of the boundary; 0: none.
-    std::vector<int> point_tag_;
-    /// The tags of the curves of each surface.
-    std::vector<std::vector<int>> curves_of_;
-};
-
 }  // namespace
 
 void EntityList::add(int tag, std::span<const int> of_groups, std::span<const int> of_boundary,
@@ -340,10 +219,6 @@ void EntityList::add(int tag, std::span<const int> of_groups, std::span<const in
 EntityMesh entity_mesh(const plane::Tile& tile, const CellMaterials* materials,
                        std::span<const int> site_orbits) {
     return TileDivision(tile, materials).divide(site_orbits);
-}
-
-EntityMesh entity_mesh(const space::TetrahedralMesh& mesh) {
-    return TetrahedraDivision(mesh).divide();
 }
 
 }  // namespace pcvt

@@ -97,15 +97,4 @@ struct EntityMesh {
 EntityMesh entity_mesh(const plane::Tile& tile, const CellMaterials* materials = nullptr,
                        std::span<const int> site_orbits = {});
 
-/// Tetrahedra, and the triangles of the seam, with the entities of seam_entities() and one volume.
-/// Points and curves have no elements in files: they would be in no group, and meshio reads a file
-/// in which all elements or none are. Groups are `seam_I_J_K`, the surface that I a + J b + K c
-/// takes to its partner, and `domain`, all tetrahedra. Links: each surface with a negative offset,
-/// and each curve and point that is not a master. Each link goes from a master to an image with a
-/// larger offset, and tied_frames() laid the tile out, so that a program finds every orbit which
-/// keeps one link a node, whichever, or links only the surfaces.
-///
-/// @throws NotATile as prove_tetrahedra().
-EntityMesh entity_mesh(const space::TetrahedralMesh& mesh);
-
 }  // namespace pcvt

@@ -13,6 +13,9 @@ constexpr std::array<std::string_view, 8> kSections{"$MeshFormat",  "$PhysicalNa
                                                     "$Nodes",       "$Elements",      "$Periodic",
                                                     "$ElementData", "$NodeData"};
 
+/// The view of the nodes of tetrahedra inside of cells, in quotes.
+constexpr std::string_view kNodeViewName = "\"periodic_node\"";
+
 /// Whether the words of a section are those of a view with another name than those of pcvt. The
 /// first word is the number of names.
 /// @param has_orbits  whether the file states the orbits of its sites.
@@ -20,7 +23,8 @@ bool is_other_view(const std::string& section, const std::vector<FileWord>& word
                    bool has_orbits) {
     if (!section.ends_with("Data")) return false;
     if (words.size() < 2) return true;
-    return words[1].text != "\"cell_id\"" && !(has_orbits && words[1].text == "\"orbit\"");
+    return words[1].text != "\"cell_id\"" && words[1].text != kNodeViewName &&
+           !(has_orbits && words[1].text == "\"orbit\"");
 }
 
 /// Whether a row of $Comments states orbits of sites.

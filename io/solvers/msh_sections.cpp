@@ -100,7 +100,10 @@ bool MshSections::parse_view(bool of_nodes) {
         rows_.next_row();
         if (view.empty()) view = std::string(rows_.words().front());
     }
-    if (view != "\"cell_id\"") return false;
+    const bool is_quoted = view.size() > 1 && view.front() == '"' && view.back() == '"';
+    if (!is_quoted || !states_sites(std::string_view(view).substr(1, view.size() - 2), of_nodes)) {
+        return false;
+    }
     // Skip the real tags; the last integer tag is the number of values.
     for (int n = (rows_.next_row(1), rows_.count(0)); n > 0; --n) rows_.next_row();
     int n_values = 0;

@@ -49,7 +49,11 @@ class MshSections {
     virtual bool takes(const ElementType* type, int number) = 0;
     /// The row holds the number of an element and those of its nodes.
     virtual void take_element(const ElementType& type, int dimension, int entity) = 0;
-    /// Returns whether to take the view "cell_id" of nodes or elements; without it it is skipped.
+    /// Returns whether a view of this name states sites; others are skipped.
+    virtual bool states_sites(std::string_view view, bool /*of_nodes*/) {
+        return view == "cell_id";
+    }
+    /// Returns whether to take such a view of nodes or elements; without it it is skipped.
     /// @param n_values  the number of its values.
     virtual bool takes_sites(bool of_nodes, int n_values) = 0;
     /// The row holds the number of a node or an element, and its site.

@@ -1,5 +1,6 @@
 #include "io/solvers/msh_tetrahedra.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "io/bytes/text.hpp"
 #include "io/forms/lattice_numbers.hpp"
 #include "io/forms/point_offsets.hpp"
+#include "io/forms/tetrahedra_entities.hpp"
 #include "io/solvers/msh_fields.hpp"
 #include "io/solvers/msh_sections.hpp"
 #include "io/solvers/msh_writer.hpp"
@@ -27,9 +29,15 @@ class TetrahedraParser final : public MshSections {
             throw BadFile(name() + ": holds no tetrahedron; give the whole file");
         }
         if (mesh_->point_site.size() != mesh_->points.size()) {
+            throw BadFile(
+                name() +
+                ": $NodeData states neither the site of each node nor its orbit; write the "
+                "file again with pcvt");
+        }
+        if (!std::is_sorted(mesh_->cell.begin(), mesh_->cell.end())) {
             throw BadFile(name() +
-                          ": $NodeData \"cell_id\" does not state the site of each node; write the "
-                          "file again with pcvt");
+                          ": the tetrahedra are not sorted by the sites of their cells; "
+                          "write the file again with pcvt");
         }
         find_point_offsets(name(), *mesh_);
         return *std::move(mesh_);
@@ -101,15 +109,38 @@ class TetrahedraParser final : public MshSections {
         for (std::size_t i = 0; i < 4; ++i) corners[i] = node(i + 1);
     }
 
+    bool states_sites(std::string_view view, bool of_nodes) override {
+        return view == "cell_id" || (of_nodes && view == "periodic_node");
+    }
+
     bool takes_sites(bool of_nodes, int n_values) override {
-        if (!of_nodes) return false;
+        if (!of_nodes) {
+            mesh().cell.assign(mesh().tetrahedra.size(), -1);
+            return true;
+        }
         if (n_values != mesh().n_points())
             rows().throw_bad_file("the view has not one site a node");
         mesh().point_site.assign(mesh().points.size(), -1);
         return true;
     }
 
-    void take_site(bool /*of_nodes*/) override {
+    /// The sides, which have larger numbers than the tetrahedra, belong to no cell.
+    void take_cell() {
+        const int element = rows().integer(0);
+        if (element < 1) rows().throw_bad_file("elements are numbered from 1; correct the number");
+        if (element > mesh().n_tetrahedra()) return;
+        const int site = rows().integer(1);
+        if (site < 0 || site >= mesh().n_tetrahedra()) {
+            rows().throw_bad_file(std::to_string(site) + " is not a site; correct it");
+        }
+        mesh().cell[element - 1] = site;
+    }
+
+    void take_site(bool of_nodes) override {
+        if (!of_nodes) {
+            take_cell();
+            return;
+        }
         SiteId& site = mesh().point_site[node(0)];
         if (site >= 0) rows().throw_bad_file("the node occurs twice; correct it");
         site = rows().integer(1);

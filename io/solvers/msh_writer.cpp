@@ -28,6 +28,9 @@ class MshText {
         append_periodic();
         if (!mesh_.element_site.empty()) append_element_view("cell_id", mesh_.element_site);
         if (!mesh_.node_site.empty()) append_node_view("cell_id", mesh_.node_site);
+        if (mesh_.dimension == 3 && !mesh_.element_site.empty()) {
+            append_node_view("periodic_node", numbered_orbits());
+        }
         if (!form_.element_orbit.empty()) append_element_view("orbit", form_.element_orbit);
         return std::move(text_);
     }
@@ -193,6 +196,16 @@ class MshText {
             for (const auto& [v, w] : link.nodes) append_line({v + 1, w + 1});
         }
         text_ += "$EndPeriodic\n";
+    }
+
+    /// The orbits of the nodes, numbered from 0 in the order of their first nodes.
+    std::vector<int> numbered_orbits() const {
+        std::vector<int> numbers(mesh_.orbit.size());
+        int n = 0;
+        for (int v = 0; v < mesh_.n_nodes(); ++v) {
+            numbers[v] = mesh_.orbit[v] == v ? n++ : numbers[mesh_.orbit[v]];
+        }
+        return numbers;
     }
 
     void open_view(const std::string& section, const char* view, int n_values) {

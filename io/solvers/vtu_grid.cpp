@@ -1,5 +1,6 @@
 #include "io/solvers/vtu_grid.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "io/forms/site_notes.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/space/mesh/cell_faces.hpp"
+#include "mesher/space/proof/tetrahedral_proof.hpp"
 
 namespace pcvt {
 namespace {
@@ -140,7 +142,16 @@ VtuGrid vtu_grid(const SpaceTile& tile) {
 }
 
 VtuGrid vtu_grid(const space::TetrahedralMesh& mesh) {
-    return grid_of(kTetrahedraVtuMark, element_mesh(mesh));
+    VtuGrid grid = grid_of(kTetrahedraVtuMark, element_mesh(mesh));
+    if (mesh.cell.empty()) return grid;
+    std::vector<double> volumes;
+    for (int t = 0; t < mesh.n_tetrahedra(); ++t) {
+        checkpoint_each(t);
+        volumes.resize(std::max(volumes.size(), static_cast<std::size_t>(mesh.cell[t]) + 1), 0);
+        volumes[mesh.cell[t]] += tetrahedron_volume(mesh, t);
+    }
+    grid.field_data.push_back({"Float64", "CellVolumes", std::move(volumes)});
+    return grid;
 }
 
 }  // namespace pcvt

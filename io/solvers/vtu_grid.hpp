@@ -40,7 +40,8 @@ struct VtuData {
 ///              (I, J, K), with position = position(representative) + i a + j b + k c; for Delaunay
 ///              triangles and tetrahedra `CellId`, the site of each point, and -1 for a midside
 ///              node.
-///   CellData   `CellId`, the site of each cell, but for tetrahedra; for runs with a symmetry
+///   CellData   `CellId`, the site of each cell, but for Delaunay tetrahedra; for runs with a
+///   symmetry
 ///              `Orbit`, that of the site: orbits are counted from 0 in the order of their first
 ///              sites; for runs with phases or inclusions `Phase`, that of the site, an index into
 ///              `PhaseNames`; of polyhedra `Faces`, their number, `Volume` (length^3), `Site`, the
@@ -80,7 +81,8 @@ VtuGrid vtu_grid(const plane::Tile& tile, const CellMaterials* materials = nullp
 
 VtuGrid vtu_grid(const SpaceTile& tile);
 
-/// Tetrahedra, whose fourth point lies on the side from which the others turn counter-clockwise.
+/// Tetrahedra, with the volumes of cells that they fill as the field data `CellVolumes`, whose
+/// fourth point lies on the side from which the others turn counter-clockwise.
 VtuGrid vtu_grid(const space::TetrahedralMesh& mesh);
 
 }  // namespace pcvt

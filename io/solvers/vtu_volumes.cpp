@@ -261,6 +261,45 @@ class VtuPolyhedra {
 
 }  // namespace
 
+namespace {
+
+/// Requires numbers from 0 to n - 1.
+void require_numbers(const VtuArrays& arrays, const VtuArray& numbers, int n) {
+    for (std::size_t v = 0; v < numbers.size(); ++v) {
+        const int number = numbers.integer(v);
+        if (number >= 0 && number < n) continue;
+        arrays.scanner().throw_bad_file(numbers.lines[v],
+                                        std::to_string(number) + " is not a number from 0 to " +
+                                            std::to_string(n - 1) + "; correct it");
+    }
+}
+
+/// Reads the sites of points or, of tetrahedra inside of cells, those of the cells, and numbers the
+/// nodes by the orbits of points.
+void read_point_sites(const VtuArrays& arrays, space::TetrahedralMesh& mesh) {
+    const int n = mesh.n_points();
+    if (arrays.find("CellData/CellId") == nullptr) {
+        const VtuArray& sites = arrays.get("PointData/CellId", n, 1, true);
+        require_numbers(arrays, sites, n);
+        for (std::size_t v = 0; v < sites.size(); ++v) mesh.point_site.push_back(sites.integer(v));
+        return;
+    }
+    const VtuArray& cells = arrays.get("CellData/CellId", arrays.n_cells(), 1, true);
+    require_numbers(arrays, cells, arrays.n_cells());
+    for (std::size_t t = 0; t < cells.size(); ++t) mesh.cell.push_back(cells.integer(t));
+    const VtuArray& orbits = arrays.get("PointData/PeriodicPointIds", n, 1, true);
+    require_numbers(arrays, orbits, n);
+    std::vector<int> numbers(mesh.points.size(), -1);
+    int n_nodes = 0;
+    for (std::size_t v = 0; v < orbits.size(); ++v) {
+        int& number = numbers[orbits.integer(v)];
+        if (number < 0) number = n_nodes++;
+        mesh.point_site.push_back(number);
+    }
+}
+
+}  // namespace
+
 bool holds_vtu_polyhedra(const EncodedFile& vtu) {
     return vtu.bytes.find("Name=\"faceoffsets\"") != std::string::npos;
 }
@@ -289,14 +328,7 @@ space::TetrahedralMesh decode_vtu_tetrahedra(const EncodedFile& vtu) {
     }
     space::TetrahedralMesh mesh{.lattice = read_vtu_lattice<space::Lattice>(arrays),
                                 .points = read_points(arrays)};
-    const VtuArray& sites = arrays.get("PointData/CellId", n, 1, true);
-    for (std::size_t v = 0; v < sites.size(); ++v) {
-        mesh.point_site.push_back(sites.integer(v));
-        if (mesh.point_site[v] >= 0 && mesh.point_site[v] < n) continue;
-        arrays.scanner().throw_bad_file(sites.lines[v], std::to_string(mesh.point_site[v]) +
-                                                            " is not a number from 0 to " +
-                                                            std::to_string(n - 1) + "; correct it");
-    }
+    read_point_sites(arrays, mesh);
     find_point_offsets(vtu.path, mesh);
     StatedImages(arrays).compare(first_points(mesh), mesh.point_offset);
     const ElementList cells = read_vtu_cells(arrays, {ElementKind::kTetrahedron4});

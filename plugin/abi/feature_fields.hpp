@@ -8,6 +8,7 @@
 #include "plugin/abi/struct_fields.hpp"
 #include "plugin/job/features.hpp"
 #include "plugin/job/number_options.hpp"
+#include "plugin/job/option_fields.hpp"
 
 namespace pcvt::abi {
 

@@ -59,8 +59,9 @@ std::string formats_help() {
     }
     text +=
         "\nWith three period vectors .vtu and .foam hold polyhedra, .msh and, with --mesh "
-        "delaunay, "
-        ".vtu\ntetrahedra, .obj, .ply, .glb and .om surfaces, and .txt \"x y z\" a line.\n";
+        "delaunay\nor grains, .vtu tetrahedra, .obj, .ply, .glb and .om surfaces, and .txt \"x y "
+        "z\" "
+        "a line.\n";
     return text + "\nExample:\n  pcvt mesh --sites 300 --mesh grains -o tile.msh -o tile.svg\n";
 }
 

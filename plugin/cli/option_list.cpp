@@ -14,6 +14,7 @@
 #include "plugin/job/features.hpp"
 #include "plugin/job/job_start.hpp"
 #include "plugin/job/number_options.hpp"
+#include "plugin/job/option_fields.hpp"
 
 namespace pcvt::cli {
 namespace {

@@ -97,6 +97,20 @@ std::string energy_text(const Job& job, const RunSummary& summary) {
     return text;
 }
 
+/// The line of tetrahedra inside of cells.
+std::string space_grain_line(const SpaceGrainFigures& grains) {
+    std::string text = std::to_string(grains.n_tetrahedra) + " tetrahedra on " +
+                       std::to_string(grains.n_points) + " points, dihedral angles from " +
+                       figure(grains.smallest_angle) + " to " + figure(grains.largest_angle) +
+                       " degrees";
+    if (grains.n_sharp > 0) {
+        text += "; from " + figure(grains.smallest_sharp_angle) + " at " +
+                counted(grains.n_sharp, "sharp corner") +
+                " or edges of the cells, the sharpest of " + figure(grains.sharpest) + " degrees";
+    }
+    return summary_line("grains", text);
+}
+
 /// The lines of the cells of a tile in space.
 std::string polyhedra_lines(const Job& job, const RunSummary& summary) {
     const auto& [n_removed_edges, proof] = *summary.polyhedra;
@@ -112,6 +126,7 @@ std::string polyhedra_lines(const Job& job, const RunSummary& summary) {
         text += summary_line("edges", std::to_string(n_removed_edges) + " under " +
                                           figure(job.tile.short_edges) + " h removed");
     }
+    if (summary.space_grains) text += space_grain_line(*summary.space_grains);
     return text +
            summary_line("seam",
                         std::to_string(2 * proof.n_boundary_pairs) + " boundary faces in " +

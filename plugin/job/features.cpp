@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "mesher/base/choices.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_start.hpp"
-#include "plugin/job/number_options.hpp"
 
 namespace pcvt {
 namespace {
@@ -170,6 +170,7 @@ constexpr std::array kFeatures{
     FeatureRow{.feature = F::kGrainSize,
                .option = "--size",
                .fields = "grain_size",
+               .in_space = true,
                .is_chosen = [](const Job& job) { return job.tile.grain_size > 0; }},
     FeatureRow{.feature = F::kGrainPerEdge,
                .option = "--per-edge",
@@ -295,58 +296,12 @@ constexpr std::array kFeatures{
             [](const Job& job) { return job.file_options.surfaces == SurfaceForm::kBoundary; },
         .taken = [](const Format& format, bool) { return format.has_surfaces(); }}};
 
-/// The fields of an option that every job can have.
-struct CommonRow {
-    std::string_view option;
-    std::string_view fields;
-};
-constexpr std::array kCommon{CommonRow{"--sites", "n_sites sites"},
-                             CommonRow{"--input", "sites"},
-                             CommonRow{"--seed", "seed"},
-                             CommonRow{"--duplicates", "duplicates"},
-                             CommonRow{"--period", "lattice lattice3"},
-                             CommonRow{"--lattice", "lattice lattice3"},
-                             CommonRow{"--start", "start"},
-                             CommonRow{"--solver", "solver"},
-                             CommonRow{"--threads", "n_threads"},
-                             CommonRow{"--mesh", "kind"},
-                             CommonRow{"--report", "report"},
-                             CommonRow{"--force", "replace"}};
-
-/// The words of a text with blanks between them.
-std::vector<std::string_view> split(std::string_view text) {
-    std::vector<std::string_view> words;
-    while (!text.empty()) {
-        words.push_back(text.substr(0, text.find(' ')));
-        text.remove_prefix(std::min(text.size(), words.back().size() + 1));
-    }
-    return words;
-}
-
 }  // namespace
 
 std::span<const FeatureRow> features() { return kFeatures; }
 
 const FeatureRow* find_option(std::string_view option) {
-    const auto* row = std::find_if(kFeatures.begin(), kFeatures.end(),
-                                   [&](const FeatureRow& r) { return r.option == option; });
-    return row == kFeatures.end() ? nullptr : row;
-}
-
-const FeatureRow* find_field(std::string_view field) {
-    const auto* row = std::find_if(kFeatures.begin(), kFeatures.end(), [&](const FeatureRow& r) {
-        const std::vector<std::string_view> fields = split(r.fields);
-        return std::find(fields.begin(), fields.end(), field) != fields.end();
-    });
-    return row == kFeatures.end() ? nullptr : row;
-}
-
-std::vector<std::string_view> option_fields(std::string_view option) {
-    if (const FeatureRow* row = find_option(option)) return split(row->fields);
-    if (const NumberRow* row = find_number_option(option)) return {row->field};
-    const auto* const row = std::find_if(kCommon.begin(), kCommon.end(),
-                                         [&](const CommonRow& r) { return r.option == option; });
-    return row == kCommon.end() ? std::vector<std::string_view>() : split(row->fields);
+    return find_row(kFeatures, [&](const FeatureRow& row) { return row.option == option; });
 }
 
 }  // namespace pcvt

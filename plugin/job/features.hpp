@@ -107,12 +107,6 @@ std::span<const FeatureRow> features();
 
 /// The row of an option of the command, nullptr for one that every job can have.
 const FeatureRow* find_option(std::string_view option);
-/// The row of a field of pcvt.h, nullptr for one that every job can have.
-const FeatureRow* find_field(std::string_view field);
-
-/// The fields of pcvt.h that an option of the command sets, whether every job can have it or not.
-std::vector<std::string_view> option_fields(std::string_view option);
-
 /// The rows of a table of choices (mesher/base/choices.hpp) that jobs in space can have.
 template <class Table>
 auto rows_in_space(const Table& table) {

@@ -29,6 +29,7 @@ constexpr double kUlps = 4;
 
 /// The most squares of the size of a grain: three triangles for each of them fit an int.
 constexpr double kMostGrainSquares = 1 << 27;
+constexpr double kMostGrainCubes = 1 << 24;
 
 plane::Reduction reduce_repeated(const Job& job) {
     reduce(job.in_plane().lattice);
@@ -79,6 +80,15 @@ void check_grains(const Job& job) {
             ? job.in_plane().lattice.area() * copies / (job.tile.grain_size * job.tile.grain_size)
             : 2.6 * n * copies * job.tile.grain_per_edge * job.tile.grain_per_edge;
     if (squares > kMostGrainSquares) {
+        throw LimitExceeded("grains of that size are more than pcvt holds; take larger ones");
+    }
+}
+
+/// Cubes of the size of tetrahedra inside of cells have about a dozen of these.
+void check_grains_in_space(const Job& job) {
+    const double size = job.tile.grain_size;
+    if (size <= 0 || !has_mesh(job, &plane::MeshKindRow::grain_size)) return;
+    if (job.in_space().lattice.volume() / (size * size * size) > kMostGrainCubes) {
         throw LimitExceeded("grains of that size are more than pcvt holds; take larger ones");
     }
 }
@@ -211,6 +221,7 @@ void check_space(const Job& job) {
     check_stability(job);
     check_short_edges(job);
     check_origin(job.in_space(), job.n_wanted());
+    check_grains_in_space(job);
 }
 
 /// Checks what follows from the options of a job in the plane, but for materials and constraints.

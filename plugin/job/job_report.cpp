@@ -75,6 +75,17 @@ void append_duplicates(JsonWriter& json, const Job& job) {
 }
 
 void append_grains(JsonWriter& json, const RunSummary& summary) {
+    if (summary.space_grains) {
+        json.object("grains", [&] {
+            const SpaceGrainFigures& grains = *summary.space_grains;
+            json.member("tetrahedra", grains.n_tetrahedra);
+            json.member("points", grains.n_points);
+            json.member("smallest_angle", grains.smallest_angle);
+            json.member("largest_angle", grains.largest_angle);
+            json.member("sharp_features", grains.n_sharp);
+            json.member("smallest_angle_at_them", grains.smallest_sharp_angle);
+        });
+    }
     const auto tile = std::find_if(summary.tiles.begin(), summary.tiles.end(),
                                    [](const auto& t) { return t.grains.has_value(); });
     if (tile == summary.tiles.end()) return;

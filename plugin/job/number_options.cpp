@@ -35,7 +35,7 @@ const std::array kNumberOptions{
               .field = "grain_size",
               .group = kOutput,
               .form = "H",
-              .help = "length of the edges of grains [h / 3]",
+              .help = "length of the edges of grains, of triangles or in space tetrahedra [h / 3]",
               .of = [](Job& job) -> double& { return job.tile.grain_size; }},
     NumberRow{.option = "--per-edge",
               .field = "grain_per_edge",

@@ -53,6 +53,20 @@ struct PolyhedraFigures {
     space::PolyhedralProof proof = {};
 };
 
+/// The figures of tetrahedra inside of cells.
+struct SpaceGrainFigures {
+    int n_tetrahedra = 0;
+    int n_points = 0;
+    /// Dihedral angles of the tetrahedra that touch no sharp feature of the cells, degrees.
+    double smallest_angle = 0;
+    double largest_angle = 0;
+    /// The corners of faces and the edges of cells that are sharp, the sharpest one, and the
+    /// smallest angle of the tetrahedra at them, degrees.
+    int n_sharp = 0;
+    double sharpest = 0;
+    double smallest_sharp_angle = 0;
+};
+
 /// The summary of a run, besides its files.
 struct RunSummary {
     /// Its evaluations include those of a global search, but not those of the coarser problems of a
@@ -93,6 +107,8 @@ struct RunSummary {
     std::vector<plane::TileFigures> tiles = {};
     /// Figures of the tile in space; `nullopt` in the plane.
     std::optional<PolyhedraFigures> polyhedra = {};
+    /// Of runs with tetrahedra inside of the cells of space.
+    std::optional<SpaceGrainFigures> space_grains = {};
     /// The files and folders that were written, in the order of the outputs, without the report.
     std::vector<std::string> files = {};
     /// The outputs that were not written, in their order.

@@ -11,56 +11,20 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/proof/validate.hpp"
-#include "mesher/space/cvt/coarse_start.hpp"
 #include "mesher/space/mesh/cell_faces.hpp"
 #include "mesher/space/mesh/cell_sites.hpp"
 #include "mesher/space/mesh/short_edges.hpp"
 #include "mesher/space/proof/tetrahedral_proof.hpp"
 #include "mesher/space/search/lattice_pattern.hpp"
-#include "mesher/space/search/lattice_stability.hpp"
 #include "mesher/space/tessellation/repeated_cells.hpp"
 #include "mesher/space/voxels/voxel_image.hpp"
 #include "plugin/job/job_start.hpp"
 #include "plugin/job/job_tessellation.hpp"
+#include "plugin/job/space_grains.hpp"
+#include "plugin/job/space_start.hpp"
 
 namespace pcvt {
 namespace {
-
-space::Points coarse_points(const Job& job, JobMonitor& monitor) {
-    RunOptions run = job.run;
-    run.progress = [&](const Progress& progress) { return monitor.start_iteration(progress); };
-    space::Points points = space::coarse_start(job.in_space().lattice, job.n_sites, job.seed, run);
-    if (points.cols() == 0) throw Cancelled{};
-    return points;
-}
-
-/// The sites of the best lattice, whose figures are noted.
-space::Points lattice_points(const Job& job, StartFigures& figures) {
-    Eigen::Matrix3d period;
-    for (int k = 0; k < 3; ++k) period.col(k) = job.in_space().lattice.periods()[k];
-    const space::LatticePattern pattern = space::best_lattice(period, job.n_sites);
-    const auto& [a, d, f, b, c, e] = pattern.form;
-    figures.pattern = PatternFigures{.basis = pattern.basis,
-                                     .hermite = {a, d, f, b, c, e},
-                                     .energy = pattern.energy,
-                                     .stability = space::lattice_stability(pattern)};
-    return pattern_points(pattern);
-}
-
-space::Points start_points(const Job& job, JobMonitor& monitor, StartFigures& figures) {
-    if (job.n_given() > 0) return job.in_space().points;
-    switch (chosen_start(job)) {
-        case Start::kRandom:
-            return uniform_points(job.in_space().lattice, job.n_sites, job.seed);
-        case Start::kCoarse:
-            return coarse_points(job, monitor);
-        case Start::kLattice:
-            return lattice_points(job, figures);
-        case Start::kBest:
-            break;
-    }
-    throw InternalError("no sites in space begin there");
-}
 
 /// The target volumes, one a site, length^3.
 Eigen::VectorXd target_volumes(const Job& job) {
@@ -99,51 +63,30 @@ space::Tessellation tessellate(const Job& job, const space::Points& points, cons
     return space::Tessellation(compute_cvt(lattice, points, {run}));
 }
 
-/// Names the first of these tetrahedra by its sites.
-std::string flat_in_words(const space::TetrahedralMesh& mesh, const std::vector<int>& flat) {
-    std::string sites;
-    for (const int v : mesh.tetrahedra[flat.front()]) {
-        sites += (sites.empty() ? "" : ", ") + std::to_string(mesh.point_site[v]);
-    }
-    const std::string number = flat.size() == 1
-                                   ? "one tetrahedron of these sites is flat, that of sites "
-                                   : std::to_string(flat.size()) +
-                                         " tetrahedra of these sites are flat, the first that of "
-                                         "sites ";
-    return number + sites +
-           ", which lie in one plane up to rounding, as where more than four sites lie on a sphere";
-}
-
 /// The cells of all periods of a tile; nothing where it has one.
 std::optional<space::Tessellation> all_periods(const Job& job, const space::Tessellation& cells) {
     if (job.tile.repeat.n_copies() == 1) return std::nullopt;
     return repeated_cells(cells, job.tile.repeat);
 }
 
-/// The materials of the cells of several periods.
-CellMaterials repeated(const CellMaterials& materials, const Repetition& repeat) {
-    CellMaterials all{.phase_names = materials.phase_names};
-    for (int copy = 0; copy < static_cast<int>(repeat.n_copies()); ++copy) {
-        all.site_phase.insert(all.site_phase.end(), materials.site_phase.begin(),
-                              materials.site_phase.end());
-        all.site_orientation.insert(all.site_orientation.end(), materials.site_orientation.begin(),
-                                    materials.site_orientation.end());
-    }
-    return all;
-}
-
-/// The tetrahedra, if a file holds them.
+/// The tetrahedra, if a file holds them or the job fills its cells.
 std::optional<space::TetrahedralMesh> build_tetrahedra(const space::Tessellation& one_period,
                                                        const Job& job,
                                                        const std::vector<JobFile>& files,
-                                                       JobMonitor& monitor) {
+                                                       JobMonitor& monitor, RunSummary& summary) {
+    const bool are_grains = job.meshes.front() == plane::MeshKind::kGrains;
     const auto file = std::find_if(files.begin(), files.end(), [&](const JobFile& f) {
         return f.format->space->shows_tetrahedra(job.meshes.front());
     });
-    if (file == files.end()) return {};
+    if (file == files.end() && !are_grains) return {};
     monitor.begin(Phase::kBuilding, "building the tetrahedra");
     const std::optional<space::Tessellation> all = all_periods(job, one_period);
     const space::Tessellation& cells = all ? *all : one_period;
+    if (are_grains) {
+        SpaceGrains grains = build_space_grains(job, cells, monitor);
+        summary.space_grains = grains.figures;
+        return std::move(grains.tetrahedra);
+    }
     const space::PeriodicDelaunay& delaunay = cells.delaunay;
     const space::Vec3& origin = job.in_space().origin;
     space::TetrahedralMesh mesh =
@@ -166,6 +109,20 @@ void require_closed_boundary(const Job& job, const std::vector<JobFile>& files,
             ": the boundary of this tile touches itself, so that it is not a surface; "
             "take the surfaces of the cells as .obj, .ply or .glb, or other sites");
     }
+}
+
+/// Requires a file that states the materials of a job whose other files hold tetrahedra, which
+/// state none.
+void require_materials_held(const Job& job, const std::vector<JobFile>& files) {
+    if (job.materials.empty() || files.empty()) return;
+    const bool is_held = std::any_of(files.begin(), files.end(), [&](const JobFile& file) {
+        const SpaceFormat& format = *file.format->space;
+        return !format.shows_tetrahedra(job.meshes.front()) &&
+               (format.takes.phases || format.takes.orientations);
+    });
+    if (is_held) return;
+    throw InvalidInput(
+        "tetrahedra state no phases and no orientations; add .csv or .vti, or leave these out");
 }
 
 /// What the files of a job hold.
@@ -257,6 +214,7 @@ void elongate(const space::Metric& metric, const space::Lattice& lattice,
 void SpaceWorld::check_files(const Job& job, const std::vector<JobFile>& files,
                              const std::vector<std::string>& phases) {
     check_file_options(job, files, phases);
+    require_materials_held(job, files);
 }
 
 Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor, Stopwatch& watch) {
@@ -266,7 +224,7 @@ Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor,
     const Job& round = mapped ? *mapped : job;
     // Start, optimise, and map back.
     StartFigures figures;
-    const space::Points points = start_points(round, monitor, figures);
+    const space::Points points = space_start_points(round, monitor, figures);
     RunOptions run = job.run;
     run.progress = [&, first = true](const Progress& progress) mutable {
         // The first call comes once the first triangulation is built and evaluated.
@@ -311,7 +269,7 @@ SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobF
     tile.mesh.metric = computation.cells.metric();
     tile.weights = delaunay.weights;
     tile.sites = are_plain ? sites_in_cells(sites, tile.mesh) : sites_of_cells(complex, images);
-    tile.materials = repeated(computation.materials, job.tile.repeat);
+    tile.materials = repeated_materials(computation.materials, job.tile.repeat);
     monitor.begin(Phase::kProving, "proving the cells");
     try {
         built.figures.proof = prove_polyhedra(tile.mesh);
@@ -336,7 +294,7 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
                                 RunSummary& summary) {
     const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
     std::optional<space::TetrahedralMesh> tetrahedra =
-        build_tetrahedra(computation.cells, job, files, monitor);
+        build_tetrahedra(computation.cells, job, files, monitor, summary);
     const ProvedSpaceTile& built = tiles(monitor);
     summary.n_sites = delaunay.sites.n_sites();
     summary.energy_bound =

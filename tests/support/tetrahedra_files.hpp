@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/formats/space_file_proof.hpp"
+#include "mesher/space/grains/grains.hpp"
 #include "tests/support/polyhedra.hpp"
 
 namespace pcvt::testing {
@@ -30,6 +31,15 @@ inline std::vector<NamedTetrahedra> tetrahedra_cases() {
 inline space::TetrahedralMesh random_tetrahedra(int n) {
     const space::Lattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
     return tetrahedra_of({"random", oblique, uniform_points(oblique, n, 3)});
+}
+
+/// Tetrahedra inside of n random cells.
+inline space::TetrahedralMesh grain_tetrahedra(int n) {
+    const space::Lattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
+    const SpaceCase c{"random", oblique, uniform_points(oblique, n, 3)};
+    const space::Sites sites(oblique, c.points);
+    return mesh_grains(sites, complex_of(c), {.size = 0.7 * sites.spacing(), .n_rounds = 0})
+        .mesh.tetrahedra;
 }
 
 /// The message of the proof of a file of tetrahedra; empty if it accepts the file.

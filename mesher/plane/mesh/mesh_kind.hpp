@@ -69,7 +69,7 @@ inline constexpr std::array kMeshKinds{MeshKindRow{.kind = MeshKind::kVoronoi,
                                                    .short_edges = true,
                                                    .grain_size = true,
                                                    .order_2 = true,
-                                                   .in_space = false}};
+                                                   .in_space = true}};
 
 constexpr const MeshKindRow& mesh_kind_row(MeshKind kind) {
     return kMeshKinds[static_cast<std::size_t>(kind)];

@@ -114,7 +114,7 @@ class GrainLayout {
             const FourCorners& corners = cell.corners(t);
             mesh_.tetrahedra.tetrahedra.push_back(
                 {points[corners[0]], points[corners[1]], points[corners[2]], points[corners[3]]});
-            mesh_.cell.push_back(c);
+            mesh_.tetrahedra.cell.push_back(c);
         }
     }
 

@@ -31,9 +31,8 @@ struct GrainTriangle {
 struct GrainMesh {
     /// `point_site` is the number of the node of which the point is an image: first those of the
     /// faces, vertices of the cells before all others, then those inside of each cell.
+    /// Tetrahedra are sorted by their cells.
     TetrahedralMesh tetrahedra;
-    /// The cell of each tetrahedron, rising.
-    std::vector<SiteId> cell = {};
     std::vector<GrainTriangle> triangles = {};
 };
 

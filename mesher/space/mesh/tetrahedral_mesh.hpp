@@ -7,8 +7,8 @@
 
 namespace pcvt::space {
 
-/// A tile of the Delaunay tetrahedra of the 3-torus: one image of each tetrahedron, on images of
-/// the sites.
+/// A tile of the Delaunay tetrahedra of the 3-torus, or of tetrahedra inside of cells: one image of
+/// each tetrahedron, on images of the sites, or of nodes in their place.
 ///
 /// Laws, which prove_tetrahedra() proves by number:
 ///   (1) Each tetrahedron is positively oriented, and its volume is above kFlatTetrahedron
@@ -30,6 +30,10 @@ struct TetrahedralMesh {
     /// Points of each tetrahedron; the fourth lies on the side from which the others turn
     /// counter-clockwise.
     std::vector<std::array<int, 4>> tetrahedra = {};
+    /// The site of the cell of each tetrahedron, for tetrahedra inside of cells
+    /// (mesher/space/grains): point_site then numbers the nodes of the torus, each with all its
+    /// images, and the sites are no points. Empty for Delaunay tetrahedra.
+    std::vector<SiteId> cell = {};
 
     /// The image of a site that a point is: equal up to one translation of all images.
     Corner corner(int point) const { return {point_site[point], point_offset[point]}; }

@@ -221,7 +221,10 @@ void prove_euler_number(const TetrahedralMesh& mesh, TetrahedralProof& proof) {
 double tetrahedron_volume(const TetrahedralMesh& mesh, int t) {
     const auto& [a, b, c, d] = mesh.tetrahedra[t];
     const Vec3& p = mesh.points[a];
-    return (mesh.points[b] - p).cross(mesh.points[c] - p).dot(mesh.points[d] - p) / 6;
+    const Vec3 n = (mesh.points[b] - p).cross(mesh.points[c] - p);
+    const Vec3 arm = mesh.points[d] - p;
+    // Files state volumes, and Eigen's dot() adds in another order on other platforms.
+    return (n.x() * arm.x() + n.y() * arm.y() + n.z() * arm.z()) / 6;
 }
 
 std::vector<int> flat_tetrahedra(const TetrahedralMesh& mesh, int n_sites) {
@@ -255,6 +258,20 @@ TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh, double least_tole
     prove_sides(mesh, proof);
     prove_euler_number(mesh, proof);
     return proof;
+}
+
+std::string flat_in_words(const TetrahedralMesh& mesh, const std::vector<int>& flat) {
+    std::string sites;
+    for (const int v : mesh.tetrahedra[flat.front()]) {
+        sites += (sites.empty() ? "" : ", ") + std::to_string(mesh.point_site[v]);
+    }
+    const std::string number = flat.size() == 1
+                                   ? "one tetrahedron of these sites is flat, that of sites "
+                                   : std::to_string(flat.size()) +
+                                         " tetrahedra of these sites are flat, the first that of "
+                                         "sites ";
+    return number + sites +
+           ", which lie in one plane up to rounding, as where more than four sites lie on a sphere";
 }
 
 }  // namespace pcvt::space

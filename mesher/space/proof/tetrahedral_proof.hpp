@@ -56,4 +56,7 @@ int n_untied_points(const TetrahedralMesh& mesh, const TetrahedralProof& proof);
 /// help.
 TetrahedralProof prove_tetrahedra(const TetrahedralMesh& mesh, double least_tolerance = 0);
 
+/// Names the first of these tetrahedra by its sites, for messages.
+std::string flat_in_words(const TetrahedralMesh& mesh, const std::vector<int>& flat);
+
 }  // namespace pcvt::space

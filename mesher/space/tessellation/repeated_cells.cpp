@@ -31,6 +31,17 @@ PeriodicDelaunay repeated_cells(const PeriodicDelaunay& delaunay, const Repetiti
     return weighted_cells(lattice, points, weights, {}).delaunay;
 }
 
+CellMaterials repeated_materials(const CellMaterials& materials, const Repetition& repeat) {
+    CellMaterials all{.phase_names = materials.phase_names};
+    for (int copy = 0; copy < static_cast<int>(repeat.n_copies()); ++copy) {
+        all.site_phase.insert(all.site_phase.end(), materials.site_phase.begin(),
+                              materials.site_phase.end());
+        all.site_orientation.insert(all.site_orientation.end(), materials.site_orientation.begin(),
+                                    materials.site_orientation.end());
+    }
+    return all;
+}
+
 Tessellation repeated_cells(const Tessellation& cells, const Repetition& repeat) {
     Tessellation all{CvtResult{.delaunay = repeated_cells(cells.delaunay, repeat)}};
     if (!cells.elongation) return all;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesher/cells/cell_materials.hpp"
 #include "mesher/space/tessellation/tessellation.hpp"
 #include "mesher/torus/repetition.hpp"
 
@@ -16,6 +17,9 @@ PeriodicDelaunay repeated_cells(const PeriodicDelaunay& delaunay, const Repetiti
 
 /// The same with the elongation of the cells; without figures of the run.
 Tessellation repeated_cells(const Tessellation& cells, const Repetition& repeat);
+
+/// The materials of the cells of several periods.
+CellMaterials repeated_materials(const CellMaterials& materials, const Repetition& repeat);
 
 /// The lattice of several periods.
 Lattice repeated_lattice(const Lattice& lattice, const Repetition& repeat);

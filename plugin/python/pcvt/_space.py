@@ -98,7 +98,7 @@ class SpaceResult:
 
         path        None: only the report
 
-        mesh        what .vtu shows: voronoi, the polyhedra, or delaunay, the tetrahedra
+        mesh        what .vtu shows: voronoi, the polyhedra, delaunay, the tetrahedra, or grains, those in cells
         surface     what .obj, .ply and .glb show: cells, or the boundary of the tile
         report      also write the statistics of the run to this .json file
         replace     whether files that exist are replaced

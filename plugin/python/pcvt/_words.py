@@ -23,7 +23,7 @@ CHOICES = {
         "duplicates": {"refuse": 0, "drop": 1},
         "start": {"default": 0, "random": 1, "coarse": 2, "lattice": 3},
         "solver": {"default": 0, "lbfgs": 1, "lloyd": 2},
-        "mesh": {"voronoi": 0, "delaunay": 1},
+        "mesh": {"voronoi": 0, "delaunay": 1, "grains": 2},
         "colour": {"default": 0, "size": 2, "cells": 3, "phase": 5, "faces": 8, "orientation": 9},
         "surface": {"cells": 0, "boundary": 1},
     },
@@ -33,8 +33,8 @@ CHOICES = {
 PLANE_ONLY = {
     "area_law", "areas", "background", "budget", "coriolis", "cut", "cut_width", "density", "density_data",
     "density_range", "density_source", "element", "fibres", "fixed", "fixed_sites", "float32", "glb_nodes",
-    "gltf_nodes", "grain_order", "grain_per_edge", "grain_size", "hole", "holes", "inclusions", "job", "n_areas",
-    "n_fixed_sites", "order", "outline", "per_edge", "pixels", "retry", "single_precision", "size", "symmetry",
+    "gltf_nodes", "grain_order", "grain_per_edge", "hole", "holes", "inclusions", "job", "n_areas",
+    "n_fixed_sites", "order", "outline", "per_edge", "pixels", "retry", "single_precision",  "symmetry",
     "thickness", "wall_cells", "walls",
 }
 

@@ -5,6 +5,7 @@
 
 #include "io/bytes/text.hpp"
 #include "io/forms/seam_entities.hpp"
+#include "io/forms/tetrahedra_entities.hpp"
 #include "io/solvers/msh_writer.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "tests/support/damaged_text.hpp"
@@ -39,6 +40,20 @@ TEST(MshTetrahedra, GivesBackPointsSitesAndTetrahedra) {
         EXPECT_EQ(found.point_offset, mesh.point_offset);
         EXPECT_EQ(found.tetrahedra, mesh.tetrahedra);
     }
+}
+
+TEST(MshTetrahedra, InsideOfCellsAreGivenBackWithTheirCells) {
+    const space::TetrahedralMesh mesh = testing::grain_tetrahedra(6);
+    const EncodedFile file = tetrahedra_msh(mesh);
+    ASSERT_EQ(space_file_kind({file}), SpaceFileKind::kTetrahedra);
+    EXPECT_NO_THROW(prove_own_tetrahedra(file, mesh));
+    EXPECT_EQ(prove_tetrahedral_file(file).mesh.cell, mesh.cell);
+    EXPECT_THAT(file.bytes, HasSubstr("\"cell_5\""));
+    // Whichever links of a node a program keeps, it finds as many unknowns as there are nodes.
+    testing::expect_orbits(file.bytes, prove_tetrahedra(mesh).n_sites);
+    EncodedFile damaged = file;
+    damaged.bytes = testing::exchanged(file.bytes, "$ElementData", "$ElementDate");
+    EXPECT_NE(testing::fault_of_tetrahedra(damaged), "");
 }
 
 TEST(MshTetrahedra, TiesEachNodeByAnyOfItsLinksAndBySurfacesAlone) {

@@ -31,6 +31,17 @@ TEST(VtuTetrahedra, GivesBackPointsSitesAndTetrahedra) {
     }
 }
 
+TEST(VtuTetrahedra, InsideOfCellsAreGivenBackWithTheirCells) {
+    const space::TetrahedralMesh mesh = testing::grain_tetrahedra(6);
+    const EncodedFile file = tetrahedra_vtu(mesh);
+    ASSERT_EQ(space_file_kind({file}), SpaceFileKind::kTetrahedra);
+    EXPECT_NO_THROW(prove_own_tetrahedra(file, mesh));
+    EXPECT_EQ(prove_tetrahedral_file(file).mesh.cell, mesh.cell);
+    EncodedFile damaged = file;
+    damaged.bytes = testing::exchanged(file.bytes, "\n0\n1\n", "\n1\n1\n");
+    EXPECT_THAT(testing::fault_of_tetrahedra(damaged), HasSubstr("t.vtu:"));
+}
+
 TEST(VtuTetrahedra, OfAnotherProgramIsProvedWithoutItsWords) {
     EncodedFile file = tetrahedra_vtu(testing::random_tetrahedra(8));
     file.bytes = testing::exchanged(file.bytes, std::string(kTetrahedraVtuMark), "");

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "plugin/job/job.hpp"
+#include "plugin/job/option_fields.hpp"
 
 namespace pcvt::abi {
 namespace {

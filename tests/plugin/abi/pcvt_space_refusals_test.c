@@ -25,7 +25,6 @@ static void each_field_of_the_plane_is_refused_by_its_name(void) {
     PLANE_FIELD(lattice[2], "lattice", 0.5);
     PLANE_FIELD(find_origin, "find_origin", 1);
     PLANE_FIELD(grain_order, "grain_order", 1);
-    PLANE_FIELD(grain_size, "grain_size", 0.1);
     PLANE_FIELD(grain_per_edge, "grain_per_edge", 2);
     PLANE_FIELD(walls, "walls", PCVT_WALLS_Y);
     PLANE_FIELD(wall_cells, "wall_cells", PCVT_WALL_CELLS_HALF);
@@ -230,9 +229,13 @@ static void tetrahedra_are_for_files_that_hold_them(void) {
     pcvt_result* result = generated(&options);
     pcvt_write_options how = {0};
     how.struct_size = sizeof how;
-    how.kind = PCVT_GRAINS;
+    how.kind = PCVT_GRAINS + 1;
     CHECK(pcvt_write(result, "refused.vtu", &how) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), "take PCVT_VORONOI or PCVT_DELAUNAY") != NULL);
+    CHECK(strstr(pcvt_last_error(), "take PCVT_VORONOI, PCVT_DELAUNAY or PCVT_GRAINS") != NULL);
+    how.kind = PCVT_GRAINS;
+    CHECK(pcvt_write(result, "refused.foam", &how) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_write(result, "grains.msh", &how) == PCVT_OK);
+    CHECK(removes_file("grains.msh"));
     how.kind = PCVT_DELAUNAY;
     CHECK(pcvt_write(result, "refused.foam", &how) == PCVT_ERROR_ARGUMENT);
     CHECK(strstr(pcvt_last_error(), "the format holds no tetrahedra; take .msh or .vtu") != NULL);

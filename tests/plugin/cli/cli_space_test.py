@@ -224,6 +224,33 @@ class Surfaces(CliTest):
         self.succeed("mesh", "--sites", 40, *CUBE, "--quiet", *self.FILES, "--threads", 3, "--force")
         self.assertEqual(self.contents(), first)
 
+    def test_grains_are_proved_tetrahedra_in_cells(self):
+        run = ("mesh", "--sites", 8, *CUBE, "--mesh", "grains")
+        figures = []
+        for size in (0.3, 0.15):
+            self.succeed(*run, "--size", size, "-o", "t.msh", "-o", "t.vtu", "--report", "r.json", "--force")
+            grains = json.loads(self.path("r.json").read_text())["grains"]
+            checked = self.succeed("check", "t.msh", "t.vtu")
+            self.assertEqual(checked.count(f"tetrahedra: {grains['tetrahedra']} in 8 cells"), 2)
+            self.assertGreater(grains["smallest_angle"], 18)
+            figures.append(grains["tetrahedra"])
+        self.assertGreater(figures[1], figures[0])
+        for name in ("t.msh", "t.vtu"):
+            text = self.path(name).read_text()
+            # The first tetrahedron of the last cell is taken for one of another cell.
+            head, mark, tail = text.partition("<CellData>" if name == "t.vtu" else "$ElementData")
+            changed = re.sub(r"([ \n])7\n", r"\g<1>6\n", tail, count=1)
+            self.assertNotEqual(tail, changed)
+            self.write(name, head + mark + changed)
+            self.refuse(2, rf"^{name}:\d+: ", "check", name)
+        # Power cells, removed edges, and phases beside a table of the cells.
+        self.succeed(*run, "--volumes", "lognormal:0.3", "--phases", "A:0.5,B:0.5", "-o", "p.vtu", "-o", "p.csv")
+        self.succeed(*run, "--short-edges", 0.05, "-o", "s.msh")
+        self.succeed("check", "p.vtu", "s.msh")
+        self.refuse(2, "^pcvt: tetrahedra state no phases and no orientations; add", *run, "--phases", "A:0.5,B:0.5",
+                    "-o", "q.vtu")
+        self.refuse(2, "^pcvt: grains of that size are more than pcvt holds", *run, "--size", 1e-4, "-o", "q.msh")
+
     def test_damage_is_found(self):
         self.succeed("mesh", "--sites", 8, *CUBE, "--quiet", *self.FILES)
         for path, piece, other in (("t.obj", "g cell_5\n", "g cell_6\n"), ("t.mtl", "Kd ", "Kd 0"),
@@ -279,8 +306,8 @@ class Tetrahedra(CliTest):
                        "run of their own$", *run, "--mesh", "delaunay", "-o", "t.vtu", "-o", "t.foam")
         self.refuse(2, r"^pcvt: -o t\.msh: the format holds the tetrahedra of --mesh delaunay; leave --mesh out$",
                     *run, "--mesh", "voronoi", "-o", "t.msh")
-        self.refuse(2, "^pcvt: --mesh grains: not for three dimensions; take voronoi or delaunay$", *run, "--mesh",
-                    "grains", "-o", "t.vtu")
+        self.refuse(2, r"^pcvt: -o t\.obj: the format holds no tetrahedra; take \.msh or \.vtu", *run, "--mesh", "grains",
+                    "-o", "t.obj")
         self.refuse(2, "^pcvt: --mesh: one mesh a run in three dimensions; remove one$", *run, "--mesh", "voronoi",
                     "--mesh", "delaunay", "-o", "t.vtu")
         self.succeed(*run, "--mesh", "voronoi", "-o", "t.vtu", "-o", "t.obj")

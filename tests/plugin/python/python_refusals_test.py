@@ -60,8 +60,8 @@ class Refusals(unittest.TestCase):
                 pcvt.mesh(10, **{name: 1})
         with self.assertRaisesRegex(TypeError, "space.. got an unexpected keyword argument 'areas'"):
             pcvt.space(10, areas=[1] * 10)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "^grain_size is not for three dimensions"):
-            pcvt.space(10, grain_size=0.1)
+        with self.assertRaisesRegex(pcvt.ArgumentError, "^grain_per_edge is not for three dimensions"):
+            pcvt.space(10, grain_per_edge=2)
         with self.assertRaisesRegex(TypeError, "write.. got an unexpected keyword argument 'seed'"):
             pcvt.mesh(10).write("a.svg", seed=1)
         with self.assertRaisesRegex(pcvt.ArgumentError, "^pixels is not for files in three dimensions"):

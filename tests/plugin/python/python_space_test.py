@@ -158,8 +158,13 @@ class Files(CliTest):
         self.assertEqual(self.contents(), of_command)
         with self.assertRaisesRegex(pcvt.ArgumentError, "the format holds no tetrahedra; take .msh or .vtu"):
             result.write(self.path("a.obj"), mesh="delaunay")
-        with self.assertRaisesRegex(pcvt.ArgumentError, "mesh 'grains' is unknown; take one of voronoi, delaunay"):
-            result.write(self.path("a.vtu"), mesh="grains", replace=True)
+        self.succeed("mesh", "--sites", 12, "--period", "1,1,1", "--mesh", "grains", "--size", "0.2", "--quiet", "-o",
+                     "a.vtu", "--force")
+        of_command = self.contents()
+        pcvt.space(12, grain_size=0.2).write(self.path("a.vtu"), mesh="grains", replace=True)
+        self.assertEqual(self.contents(), of_command)
+        with self.assertRaisesRegex(pcvt.ArgumentError, "mesh 'cubes' is unknown; take one of voronoi, delaunay, grains"):
+            result.write(self.path("a.vtu"), mesh="cubes", replace=True)
 
     def test_report_has_the_figures_of_the_run(self):
         result = pcvt.space(12, tolerance=1e-4)
@@ -229,7 +234,7 @@ class Mesh(CliTest):
         shapes = (("circle", "a", 0.5, 0.5, 0.1), ("polygon", "b", ((0, 0), (0.1, 0), (0, 0.1))))
         for name, value in (("density", "1 + x"), ("density", lambda x, y: 1), ("density_range", (1, 2)),
                             ("grain_order", 2),
-                            ("grain_size", 0.1), ("grain_per_edge", 2), ("budget", 9), ("areas", "equal"),
+                            ("grain_per_edge", 2), ("budget", 9), ("areas", "equal"),
                             ("areas", np.ones(9)), ("symmetry", "p2"),
                             ("walls", "x"), ("wall_cells", "half"), ("fixed", ((0, 0),)), ("inclusions", shapes),
                             ("fibres", (0.2, 3)), ("holes", ["a"])):

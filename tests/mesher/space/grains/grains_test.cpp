@@ -34,8 +34,9 @@ Grains grains_of(const SpaceCase& c, int n_threads = 1) {
 /// Law (2) of GrainMesh, where faces are plane.
 void expect_volumes(const GrainMesh& mesh, const CellComplex& complex) {
     std::vector<double> volumes(static_cast<std::size_t>(complex.n_cells), 0);
-    for (std::size_t t = 0; t < mesh.cell.size(); ++t) {
-        volumes[mesh.cell[t]] += tetrahedron_volume(mesh.tetrahedra, static_cast<int>(t));
+    for (std::size_t t = 0; t < mesh.tetrahedra.cell.size(); ++t) {
+        volumes[mesh.tetrahedra.cell[t]] +=
+            tetrahedron_volume(mesh.tetrahedra, static_cast<int>(t));
     }
     const std::vector<CellBody> bodies = cell_bodies(complex);
     for (std::size_t s = 0; s < bodies.size(); ++s) {
@@ -53,11 +54,11 @@ Triple sorted(Triple triple) {
 /// Law (3) of GrainMesh: the tetrahedra of each cell have the stated triangles as their boundary.
 void expect_triangles(const GrainMesh& mesh, int n_cells) {
     std::vector<std::map<Triple, int>> sides(static_cast<std::size_t>(n_cells));
-    for (std::size_t t = 0; t < mesh.cell.size(); ++t) {
+    for (std::size_t t = 0; t < mesh.tetrahedra.cell.size(); ++t) {
         const auto& c = mesh.tetrahedra.tetrahedra[t];
         for (const Triple& side : {Triple{c[0], c[1], c[2]}, Triple{c[0], c[1], c[3]},
                                    Triple{c[0], c[2], c[3]}, Triple{c[1], c[2], c[3]}}) {
-            ++sides[mesh.cell[t]][sorted(side)];
+            ++sides[mesh.tetrahedra.cell[t]][sorted(side)];
         }
     }
     std::vector<std::set<Triple>> outside(static_cast<std::size_t>(n_cells));
@@ -98,7 +99,7 @@ void expect_laws(const Grains& grains, const CellComplex& complex) {
     expect_volumes(mesh, complex);
     expect_triangles(mesh, complex.n_cells);
     expect_exact_partners(mesh.tetrahedra);
-    EXPECT_TRUE(std::is_sorted(mesh.cell.begin(), mesh.cell.end()));
+    EXPECT_TRUE(std::is_sorted(mesh.tetrahedra.cell.begin(), mesh.tetrahedra.cell.end()));
 }
 
 TEST(Grains, ObeyTheLawsOnAllLattices) {
@@ -189,7 +190,7 @@ TEST(Grains, BytesDoNotDependOnThreads) {
     const Grains three = grains_of(c, 3);
     EXPECT_EQ(one.mesh.tetrahedra.points, three.mesh.tetrahedra.points);
     EXPECT_EQ(one.mesh.tetrahedra.tetrahedra, three.mesh.tetrahedra.tetrahedra);
-    EXPECT_EQ(one.mesh.cell, three.mesh.cell);
+    EXPECT_EQ(one.mesh.tetrahedra.cell, three.mesh.tetrahedra.cell);
     EXPECT_EQ(one.angles.smallest, three.angles.smallest);
 }
 
@@ -201,7 +202,7 @@ TEST(Grains, TranslationOfTheSitesByAPeriodChangesNothing) {
     const Grains here = grains_of({"here", oblique, moved});
     moved.col(2) += oblique.a() - 2 * oblique.b();
     const Grains there = grains_of({"there", oblique, moved});
-    ASSERT_EQ(here.mesh.cell, there.mesh.cell);
+    ASSERT_EQ(here.mesh.tetrahedra.cell, there.mesh.tetrahedra.cell);
     EXPECT_EQ(here.mesh.tetrahedra.tetrahedra, there.mesh.tetrahedra.tetrahedra);
 }
 
@@ -247,8 +248,8 @@ TEST(Grains, SmallerSizesGiveMoreTetrahedra) {
     for (const double part : {1.5, 3.0, 5.0}) {
         const Grains grains =
             mesh_grains(sites, complex, {.size = sites.spacing() / part, .n_rounds = 0});
-        EXPECT_GT(grains.mesh.cell.size(), before);
-        before = grains.mesh.cell.size();
+        EXPECT_GT(grains.mesh.tetrahedra.cell.size(), before);
+        before = grains.mesh.tetrahedra.cell.size();
         expect_volumes(grains.mesh, complex);
     }
 }

@@ -1,0 +1,43 @@
+#include "plugin/job/space_grains.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "mesher/space/grains/grains.hpp"
+#include "mesher/space/mesh/short_edges.hpp"
+
+namespace pcvt {
+namespace {
+
+SpaceGrainFigures figures_of(const space::Grains& grains) {
+    const space::TetrahedralMesh& mesh = grains.mesh.tetrahedra;
+    SpaceGrainFigures figures{.n_tetrahedra = mesh.n_tetrahedra(),
+                              .n_points = mesh.n_points(),
+                              .smallest_angle = grains.angles.smallest,
+                              .largest_angle = grains.angles.largest,
+                              .n_sharp = static_cast<int>(grains.sharp_features.size())};
+    if (figures.n_sharp == 0) return figures;
+    figures.smallest_sharp_angle = grains.angles_at_features.smallest;
+    figures.sharpest = grains.sharp_features.front().angle;
+    for (const space::SharpFeature& feature : grains.sharp_features) {
+        figures.sharpest = std::min(figures.sharpest, feature.angle);
+    }
+    return figures;
+}
+
+}  // namespace
+
+SpaceGrains build_space_grains(const Job& job, const space::Tessellation& cells,
+                               JobMonitor& monitor) {
+    monitor.begin(Phase::kBuilding, "filling the cells with tetrahedra");
+    const space::CellComplex complex = without_short_edges(cells.complex(), job.tile.short_edges);
+    space::Grains grains = mesh_grains(cells.sites(), complex,
+                                       {.size = job.tile.grain_size,
+                                        .n_threads = job.run.n_threads,
+                                        .progress = [&](double part) { monitor.advance(part); }},
+                                       job.in_space().origin);
+    const SpaceGrainFigures figures = figures_of(grains);
+    return {.tetrahedra = std::move(grains.mesh.tetrahedra), .figures = figures};
+}
+
+}  // namespace pcvt
