@@ -93,12 +93,25 @@ class ComputedJob {
         job.file_options = request.files;
         job.report = request.report;
         job.force = request.replace;
-        // The cells have their materials, also where this file does not state them.
-        job.materials = {};
+        job.materials = shown_materials(job.materials, request.files.colouring);
         return job;
     }
 
    private:
+    /// The materials that a file must hold, which are those that its colours show. The cells have
+    /// their materials, also where a file does not state them.
+    static MaterialChoices shown_materials(const MaterialChoices& materials,
+                                           const std::optional<Colouring>& colouring) {
+        const ColouringNeed need =
+            colouring ? colouring_row(*colouring).needs : ColouringNeed::kNothing;
+        MaterialChoices shown;
+        if (need == ColouringNeed::kPhases) shown.phases = materials.phases;
+        if (need != ColouringNeed::kOrientations) return shown;
+        shown.draws_orientations = materials.draws_orientations;
+        shown.orientations = materials.orientations;
+        return shown;
+    }
+
     static std::vector<int> listed(const std::map<int, int>& counts) {
         std::vector<int> list;
         for (const auto& [sides, count] : counts) {

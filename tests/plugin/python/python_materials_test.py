@@ -55,6 +55,15 @@ class Materials(CliTest):
         result.write(self.path("delaunay.inp"), "delaunay")
         self.assertNotIn(b"\n*SOLID SECTION", self.contents()["delaunay.inp"])
 
+    def test_colours_show_phases(self):
+        self.succeed("mesh", "--sites", 12, "--phases", "a:0.5,b:0.5", "--colour", "phase", "-o", "command.svg")
+        result = pcvt.mesh(12, phases={"a": 0.5, "b": 0.5}, orientations="random")
+        result.write(self.path("python.svg"), colour="phase")
+        files = self.contents()
+        self.assertEqual(files["python.svg"], files["command.svg"])
+        with self.assertRaisesRegex(pcvt.Error, "colour phase needs phases"):
+            pcvt.mesh(12).write(self.path("t.svg"), colour="phase")
+
     def test_a_job_of_several_phases_needs_constants(self):
         result = pcvt.mesh(12, phases={"a": 0.5, "b": 0.5})
         job = self.path("t.inp"), "grains"
