@@ -308,6 +308,12 @@ typedef struct pcvt_options {
 
     double aspect_axis[3]; /**< in three dimensions: the axis along which the cells are `aspect`
                               times as long as across it; all 0: x [0, 0, 0] */
+    int32_t sites_are_centroids; /**< 1: `sites` are the centroids of measured grains, whose sizes
+                                    are `areas` or `volumes`: the sites are found whose cells have
+                                    these sizes and, as nearly as they can, these centroids, and
+                                    residuals are those of the centroids; excludes walls and aspect
+                                    [0] */
+    int32_t reserved7;
 } pcvt_options;
 
 /** The optimised sites. */

@@ -17,7 +17,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
          budget=0, progress=None, areas=None, volumes=None, weights=None, aspect=1.0, phases=None, orientations=None, symmetry=None,
          walls="none", wall_cells="whole", fixed=None, inclusions=None, fibres=None, holes=(),
-         duplicates="refuse", **fields):
+         duplicates="refuse", sites_are_centroids=False, **fields):
     """Generates a periodic centroidal Voronoi tessellation of the plane, or, with three period vectors,
     of space, whose cells are polyhedra. The same arguments give the same result to the last bit.
     Ctrl-C ends the run at the next iteration.
@@ -64,6 +64,10 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     max_iterations centroidal steps, five where it is negative, make the cells round
     aspect          R or (R, degrees): cells R times as long along degrees from x as across, 0.01 to
                     100; in space R or (R, (x, y, z)), along that axis
+    sites_are_centroids
+                    True: sites are the centroids of measured grains, whose sizes areas or volumes give: the
+                    sites are found whose cells have these sizes and, as nearly as they can, these
+                    centroids. statistics.residual is the largest misfit, in h
     fields          numbers of pcvt_options, by their names in pcvt.h
 
     The arguments that follow are for the plane only.
@@ -120,6 +124,7 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
                  columns=columns, rows=rows, grain_order=grain_order, grain_per_edge=grain_per_edge,
                  budget=budget, walls=choice("walls", walls), wall_cells=choice("wall_cells", wall_cells),
+                 sites_are_centroids=sites_are_centroids,
                  symmetry=0 if symmetry is None else choice("symmetry", symmetry),
                  duplicates=choice("duplicates", duplicates, dimension=dimension),
                  start=choice("start", start, dimension=dimension),

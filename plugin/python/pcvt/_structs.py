@@ -32,7 +32,8 @@ class Options(ctypes.Structure):
                 ("reserved4", c_int32), ("lattice3", c_double * 9), ("duplicates", c_int32), ("n_weights", c_int32),
                 ("weights", c_void_p), ("site_phases", c_void_p), ("n_site_phases", c_int32),
                 ("reserved5", c_int32), ("origin_z", c_double), ("volumes", c_void_p), ("volume_law", c_char_p),
-                ("n_volumes", c_int32), ("reserved6", c_int32), ("aspect_axis", c_double * 3)]
+                ("n_volumes", c_int32), ("reserved6", c_int32), ("aspect_axis", c_double * 3),
+                ("sites_are_centroids", c_int32), ("reserved7", c_int32)]
 
 
 class Sites(ctypes.Structure):

@@ -166,6 +166,8 @@ static void print_options(void) {
     FIELD(pcvt_options, n_volumes);
     FIELD(pcvt_options, reserved6);
     FIELD(pcvt_options, aspect_axis);
+    FIELD(pcvt_options, sites_are_centroids);
+    FIELD(pcvt_options, reserved7);
 }
 
 static void print_sites(void) {

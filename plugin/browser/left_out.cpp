@@ -1,0 +1,28 @@
+// What the module leaves out: the page and the package do not offer it.
+
+#include "mesher/base/error.hpp"
+#include "mesher/plane/cvt/centroid_cells.hpp"
+#include "mesher/space/cvt/centroid_cells.hpp"
+
+namespace pcvt {
+namespace {
+
+[[noreturn]] void refuse_centroids() {
+    throw InvalidInput("this module does not find sites of centroids; take the command");
+}
+
+}  // namespace
+
+plane::CentroidCells plane::fit_areas_and_centroids(const Lattice& /*lattice*/,
+                                                    const Points& /*centroids*/,
+                                                    const AreaCvtOptions& /*options*/) {
+    refuse_centroids();
+}
+
+space::CentroidCells space::fit_volumes_and_centroids(const Lattice& /*lattice*/,
+                                                      const Points& /*centroids*/,
+                                                      const VolumeCvtOptions& /*options*/) {
+    refuse_centroids();
+}
+
+}  // namespace pcvt
