@@ -319,7 +319,11 @@ typedef struct pcvt_options {
                               times as long as across it; all 0: x [0, 0, 0] */
     int32_t layers; /**< in three dimensions: the periods along the third vector that files hold, as
                        `columns` and `rows` along the others; views show one period [0: one] */
-    int32_t reserved7;
+    int32_t sites_are_centroids; /**< 1: `sites` are the centroids of measured grains, whose sizes
+                                    are `areas` or `volumes`: the sites are found whose cells have
+                                    these sizes and, as nearly as they can, these centroids, and
+                                    residuals are those of the centroids; excludes walls and aspect
+                                    [0] */
 } pcvt_options;
 
 /** The optimised sites. */

@@ -322,6 +322,12 @@ Job make_job(const pcvt_options& options) {
                          : target_sizes("areas", "area_law", options.areas, options.n_areas,
                                         options.area_law, options.n_sites);
     job.weights = given_weights(options);
+    if (options.sites_are_centroids != 0) {
+        if (options.sites_are_centroids != 1 || options.sites == nullptr) {
+            throw InvalidInput("sites_are_centroids is neither 0, nor 1 with sites");
+        }
+        job.centroids = "given";
+    }
     job.aspect = aspect(options);
     job.symmetry = symmetry(options.symmetry);
     job.walls = chosen_row("walls", options.walls, kWalls).walls;

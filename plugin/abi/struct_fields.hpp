@@ -63,7 +63,8 @@ inline constexpr std::array kOptionFields{
     struct_field<&pcvt_options::n_volumes>("n_volumes"),
     struct_field<&pcvt_options::orientation_weights>("orientation_weights"),
     struct_field<&pcvt_options::aspect_axis>("aspect_axis"),
-    struct_field<&pcvt_options::layers>("layers")};
+    struct_field<&pcvt_options::layers>("layers"),
+    struct_field<&pcvt_options::sites_are_centroids>("sites_are_centroids")};
 
 inline constexpr std::array kWriteFields{
     struct_field<&pcvt_write_options::report>("report"),

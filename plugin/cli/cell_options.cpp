@@ -129,6 +129,10 @@ void add_cell_options(CLI::App& app, CellOptions& options, Job& job) {
         "the power cells (Laguerre cells) of the sites of --input: one weight a\n"
         "line, a length squared, or below the header radius a radius; needs\n"
         "--max-iterations 0; a column weight of --input counts as well");
+    add("--centroids", options.centroids, "FILE[:X,Y]",
+        "in place of --input, the centroids of measured grains, \"x y\" a line (in\n"
+        "space \"x y z\"), whose sizes --areas or --volumes FILE gives: the power\n"
+        "cells with these sizes and, as nearly as they can, these centroids");
     add("--aspect", options.aspect, "R[,DEGREES]",
         "elongated cells, R times as long along DEGREES from x as across\n"
         "it, from 0.01 to 100 [1,0]; in space R,X,Y,Z: along that axis [1,1,0,0]");

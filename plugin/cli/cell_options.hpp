@@ -19,6 +19,7 @@ struct CellOptions {
     std::string areas;
     std::string volumes;
     std::string weights;
+    std::string centroids;
     std::string aspect;
     std::string walls;
     std::string wall_cells;

@@ -208,7 +208,8 @@ void take_columns(const SiteTable<kDimension>& table, const std::string& input, 
 template <class Domain>
 RunSummary run_in(Domain& domain, Job& job, const MeshOptions& options) {
     constexpr int kDimension = decltype(domain.lattice)::kDimension;
-    if (options.input.empty()) {
+    const std::string& input = point_table(options);
+    if (input.empty()) {
         read_area_file(job);
         const SiteFileOf<kDimension> fixed{parse_table_name(options.cells.fixed).path, domain.fixed,
                                            job.lines, job.site_unit};
@@ -216,12 +217,12 @@ RunSummary run_in(Domain& domain, Job& job, const MeshOptions& options) {
                                        : run_watched(job, options.quiet);
     }
     const SiteTable<kDimension> table =
-        read_site_table<kDimension>(parse_table_name(options.input), wanted_columns(job, options));
+        read_site_table<kDimension>(parse_table_name(input), wanted_columns(job, options));
     const SiteFileOf<kDimension>& file = table.sites;
     domain.points = file.points;
     job.lines = file.lines;
     job.site_unit = file.unit;
-    take_columns(table, options.input, job);
+    take_columns(table, input, job);
     read_area_file(job);
     read_weight_file(options.cells, job);
     if (options.period == "auto" && job.sizes) require_all_sites(job);

@@ -99,7 +99,7 @@ plane::Lattice chosen_lattice(const CLI::App& app, const MeshOptions& options,
 }
 
 void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job) {
-    require_one_site_source(app, options.input);
+    require_one_site_source(app, point_table(options));
     if (app.count("--sites") > 0) {
         job.n_sites = whole_number("--sites", options.sites, 1,
                                    job.is_in_space() ? space::kMostSites : plane::kMostSites);
@@ -111,8 +111,9 @@ void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job)
     if (app.count("--retry") > 0) {
         job.retries = whole_number("--retry", options.retry, 0, kMostRetries);
     }
-    const std::string input = parse_table_name(options.input).path;
-    if (app.count("--input") > 0 && input != "-") job.inputs.push_back(input);
+    if (app.count("--centroids") > 0) job.centroids = point_table(options);
+    const std::string input = parse_table_name(point_table(options)).path;
+    if (app.count("--sites") == 0 && input != "-") job.inputs.push_back(input);
     job.duplicates = chosen_duplicates(app, options.duplicates);
 }
 

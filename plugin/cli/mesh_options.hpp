@@ -55,6 +55,11 @@ struct MeshOptions {
     bool quiet = false;
 };
 
+/// The table of the sites, or of the centroids in their place; empty without one.
+inline const std::string& point_table(const MeshOptions& options) {
+    return options.cells.centroids.empty() ? options.input : options.cells.centroids;
+}
+
 /// Adds the options and the examples to `app`; parsing fills `options`.
 ///
 ///   add_mesh_options(app, options);

@@ -22,12 +22,12 @@ constexpr const char* kPatternExamples =
 
 /// Options of `pcvt mesh` that do not apply, because pattern computes the sites, does not move them
 /// and gives all cells one area and one form.
-constexpr const char* kForeign[] = {"--seed",       "--input",          "--start",      "--solver",
-                                    "--tolerance",  "--max-iterations", "--strict",     "--budget",
-                                    "--density",    "--density-range",  "--areas",      "--volumes",
-                                    "--retry",      "--stability",      "--symmetry",   "--walls",
-                                    "--wall-cells", "--fixed",          "--inclusions", "--fibres",
-                                    "--hole",       "--duplicates",     "--weights"};
+constexpr const char* kForeign[] = {
+    "--seed",           "--input",      "--start",   "--solver",     "--tolerance",
+    "--max-iterations", "--strict",     "--budget",  "--density",    "--density-range",
+    "--areas",          "--volumes",    "--retry",   "--stability",  "--symmetry",
+    "--walls",          "--wall-cells", "--fixed",   "--inclusions", "--fibres",
+    "--hole",           "--duplicates", "--weights", "--centroids"};
 
 void require_pattern_options(const CLI::App& app) {
     for (const char* name : kForeign) {

@@ -309,6 +309,12 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     if (summary.start.pattern) text += pattern_lines(job, *summary.start.pattern);
     if (summary.density) text += density_lines(*summary.density);
     if (summary.sizes) text += size_lines(job, *summary.sizes);
+    if (summary.centroids) {
+        text += summary_line("centroids", "off those of " + *job.centroids + " by " +
+                                              figure(summary.centroids->mean) +
+                                              " h on average, by at most " +
+                                              figure(summary.centroids->largest) + " h");
+    }
     if (job.weights) text += summary_line("weights", job.weights->name);
     text += constraint_lines(job, summary);
     text += phase_lines(job, summary);

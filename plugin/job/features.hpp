@@ -32,6 +32,7 @@ enum class Feature : std::uint8_t {
     kAreas,
     kVolumes,
     kWeights,
+    kCentroids,
     kAspect,
     kPlaneAspect,
     kSpaceAspect,

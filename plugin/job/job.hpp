@@ -127,6 +127,10 @@ struct Job {
     /// The power cells of given sites that stay where they are, with max_iterations 0. Excludes a
     /// density, areas, and the stability.
     std::optional<GivenWeights> weights;
+    /// The points are not sites, but the centroids of measured grains, whose sizes `sizes` gives:
+    /// the sites are found. The name of their table, for the report. Excludes drawn sizes, walls
+    /// and aspect.
+    std::optional<std::string> centroids;
     /// Whether the cells are power cells.
     bool has_weights() const { return sizes.has_value() || weights.has_value(); }
     /// The cells are Voronoi cells, or power cells, in this metric.

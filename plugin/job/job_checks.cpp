@@ -136,6 +136,15 @@ void check_short_edges(const Job& job) {
         (job.is_in_space() ? "0.1" : "0.5") + " h");
 }
 
+void check_centroids(const Job& job) {
+    if (!job.centroids || job.sizes->given.size() > 0) return;
+    const std::string option = job.is_in_space() ? "--volumes" : "--areas";
+    if (job.sizes->is_drawn()) {
+        throw InvalidInput(option + " " + job.sizes->name +
+                           ": a law does not give the sizes of measured grains; take a table");
+    }
+}
+
 void check_aspect(const Job& job) {
     if (!job.aspect) return;
     try {
@@ -216,12 +225,12 @@ void check_constraints(const Job& job) {
 
 /// Checks what follows from the options of a job in space.
 void check_space(const Job& job) {
-    check_aspect(job);
     check_repetition(job);
     check_stability(job);
     check_short_edges(job);
     check_origin(job.in_space(), job.n_wanted());
     check_grains_in_space(job);
+    check_aspect(job);
 }
 
 /// Checks what follows from the options of a job in the plane, but for materials and constraints.
@@ -263,6 +272,7 @@ void check_retries(const Job& job, const std::vector<JobFile>& files) {
 
 void check_job(const Job& job) {
     require_compatible(job);
+    check_centroids(job);
     if (job.n_wanted() < 1) throw InvalidInput("no sites; give at least one");
     if (job.is_in_space()) {
         check_space(job);

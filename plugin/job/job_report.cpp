@@ -267,6 +267,13 @@ void append_choices(JsonWriter& json, const Job& job, const RunSummary& summary)
     append_density(json, job, summary);
     append_sizes(json, job, summary);
     append_weights(json, job);
+    if (summary.centroids) {
+        json.object("centroids", [&] {
+            json.member("source", *job.centroids);
+            json.member("mean_misfit", summary.centroids->mean);
+            json.member("largest_misfit", summary.centroids->largest);
+        });
+    }
     if (job.aspect) {
         json.object("aspect", [&] {
             json.member("ratio", job.aspect->ratio);

@@ -42,11 +42,12 @@ plane::Tessellation tessellate(const Job& job, JobStart& start, JobMonitor& moni
             begin();
             monitor.newton_step(areas.newton_steps, areas.largest_relative_error);
         };
-        return tessellate(lattice, walls, std::move(start.points),
-                          plane::AreaCvtOptions{.areas = std::move(start.areas),
-                                                .numbering = start.numbering,
-                                                .run = run,
-                                                .newton_progress = newton_progress});
+        const plane::AreaCvtOptions options{.areas = std::move(start.areas),
+                                            .numbering = start.numbering,
+                                            .run = run,
+                                            .newton_progress = newton_progress};
+        if (job.centroids) return tessellate(lattice, start.points, options);
+        return tessellate(lattice, walls, std::move(start.points), options);
     }
     run.progress = [&](const Progress& progress) {
         begin();

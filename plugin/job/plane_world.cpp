@@ -210,6 +210,7 @@ FileContent PlaneWorld::content(const Job& job, const std::vector<JobFile>& file
         summary.sizes =
             size_summary(*cells.areas, cells.table(), job.sizes->given, cells.lattice().area());
     }
+    summary.centroids = cells.centroids;
     summary.n_orbits = cells.n_orbits();
     if (cells.walled) summary.n_on_walls = cells.walled->n_on_walls;
     summary.interfaces = cells.interfaces;

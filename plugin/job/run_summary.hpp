@@ -89,6 +89,8 @@ struct RunSummary {
     std::optional<plane::DensityFigures> density = {};
     /// Figures of the prescribed areas or volumes, if the job has them.
     std::optional<SizeSummary> sizes = {};
+    /// Figures of prescribed centroids, if the job has them.
+    std::optional<CentroidFigures> centroids = {};
     /// The number of orbits of sites; 0 without a symmetry.
     int n_orbits = 0;
     /// The number of sites that lie on walls.

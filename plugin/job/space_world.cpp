@@ -39,7 +39,7 @@ Eigen::VectorXd target_volumes(const Job& job) {
 constexpr int kCentroidalSteps = 5;
 
 space::VolumeCvtOptions volume_options(const Job& job, RunOptions run, JobMonitor& monitor) {
-    if (run.max_iterations < 0) run.max_iterations = kCentroidalSteps;
+    if (run.max_iterations < 0 && !job.centroids) run.max_iterations = kCentroidalSteps;
     // Volumes of a law belong to no particular site.
     const bool are_free = job.n_given() == 0 && job.sizes->is_drawn();
     return {.volumes = target_volumes(job),
@@ -57,8 +57,10 @@ space::Tessellation tessellate(const Job& job, const space::Points& points, cons
         return space::Tessellation(weighted_cells(lattice, points, job.weights->values, run));
     }
     if (job.sizes) {
-        return space::Tessellation(
-            compute_volume_cvt(lattice, points, volume_options(job, run, monitor)));
+        const space::VolumeCvtOptions options = volume_options(job, run, monitor);
+        return job.centroids
+                   ? space::Tessellation(fit_volumes_and_centroids(lattice, points, options))
+                   : space::Tessellation(compute_volume_cvt(lattice, points, options));
     }
     return space::Tessellation(compute_cvt(lattice, points, {run}));
 }
@@ -303,6 +305,7 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
         summary.sizes = size_summary(*computation.cells.volumes, computation.cells.table(),
                                      job.sizes->given, job.in_space().lattice.volume());
     }
+    summary.centroids = computation.cells.centroids;
     summary.valences = built.face_counts;
     summary.polyhedra = built.figures;
     summary.constants = stated_constants(files, job.file_options, computation.materials);

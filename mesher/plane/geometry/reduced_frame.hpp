@@ -17,6 +17,10 @@ struct ReducedFrame {
     double by;
 
     Vec2 to_position(const Vec2& u) const { return {ax * u.x() + bx * u.y(), by * u.y()}; }
+    Vec2 to_lattice(const Vec2& p) const {
+        const double v = p.y() / by;
+        return {(p.x() - bx * v) / ax, v};
+    }
 };
 
 }  // namespace pcvt::plane

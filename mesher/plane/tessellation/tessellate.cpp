@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mesher/base/error.hpp"
+#include "mesher/plane/cvt/centroid_cells.hpp"
 #include "mesher/plane/cvt/interface_cvt.hpp"
 #include "mesher/plane/cvt/walled_area_cvt.hpp"
 #include "mesher/plane/cvt/walled_cvt.hpp"
@@ -93,6 +94,14 @@ Tessellation tessellate(const Lattice& lattice, const WallChoice& walls, Points 
     WalledAreaCvt walled =
         compute_walled_area_cvt(lattice, walls.walls, walls.cells, std::move(points), options);
     return tessellation_of(std::move(walled.torus), walled.domain);
+}
+
+Tessellation tessellate(const Lattice& lattice, const Points& centroids,
+                        const AreaCvtOptions& options) {
+    CentroidCells found = fit_areas_and_centroids(lattice, centroids, options);
+    Tessellation cells = tessellation_of(std::move(found.grains));
+    cells.centroids = found.centroids;
+    return cells;
 }
 
 Tessellation tessellate(const Lattice& lattice, Walls walls, const Points& points,

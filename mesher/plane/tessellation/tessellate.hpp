@@ -49,6 +49,11 @@ Tessellation tessellate(const SymmetricSites& start, const CvtOptions& options);
 Tessellation tessellate(const Lattice& lattice, const WallChoice& walls, Points points,
                         const AreaCvtOptions& options);
 
+/// Gives the cells prescribed areas and centroids.
+/// @throws as fit_areas_and_centroids() does.
+Tessellation tessellate(const Lattice& lattice, const Points& centroids,
+                        const AreaCvtOptions& options);
+
 /// Gives sites that stay where they are the power cells of weights, length^2.
 /// @throws as weighted_cells() and walled_weighted_cells() do.
 Tessellation tessellate(const Lattice& lattice, Walls walls, const Points& points,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesher/cells/cell_table.hpp"
+#include "mesher/cvt/centroid_figures.hpp"
 #include "mesher/plane/cvt/area_newton.hpp"
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/energy/stability.hpp"
@@ -61,6 +62,8 @@ struct Tessellation {
     std::optional<DensityFigures> density = {};
     /// Figures of a run with prescribed areas.
     std::optional<SizeFigures> areas = {};
+    /// Figures of a run with prescribed centroids.
+    std::optional<CentroidFigures> centroids = {};
 
     /// With a symmetry: the orbit of each site. Orbits are counted from 0 in the order of their
     /// first sites.

@@ -22,22 +22,6 @@ constexpr double kPassingTolerance = 1e-4;
 /// The largest difference between the sum of the volumes and the domain, relative.
 constexpr double kSumTolerance = 1e-6;
 
-void require_volumes(const Eigen::VectorXd& volumes, const Lattice& lattice, Eigen::Index n_sites) {
-    if (volumes.size() != n_sites) {
-        throw InvalidInput("there are " + std::to_string(volumes.size()) + " volumes for " +
-                           std::to_string(n_sites) + " sites; give one for each site");
-    }
-    for (Eigen::Index s = 0; s < volumes.size(); ++s) {
-        if (volumes[s] > 0 && std::isfinite(volumes[s])) continue;
-        throw InvalidInput("the volume of site " + std::to_string(s) +
-                           " is not a positive finite number; correct it");
-    }
-    if (!(std::abs(volumes.sum() / lattice.volume() - 1) <= kSumTolerance)) {
-        throw InvalidInput(
-            "the volumes do not sum to the volume of the domain; scale them to this sum");
-    }
-}
-
 /// The sites in the order of values, equal ones by number.
 std::vector<SiteId> ranked(const Eigen::VectorXd& values) {
     std::vector<SiteId> order(static_cast<std::size_t>(values.size()));
@@ -177,6 +161,22 @@ RunStatistics VolumeRun::run(const Eigen::VectorXd& targets) {
 }
 
 }  // namespace
+
+void require_volumes(const Eigen::VectorXd& volumes, const Lattice& lattice, Eigen::Index n_sites) {
+    if (volumes.size() != n_sites) {
+        throw InvalidInput("there are " + std::to_string(volumes.size()) + " volumes for " +
+                           std::to_string(n_sites) + " sites; give one for each site");
+    }
+    for (Eigen::Index s = 0; s < volumes.size(); ++s) {
+        if (volumes[s] > 0 && std::isfinite(volumes[s])) continue;
+        throw InvalidInput("the volume of site " + std::to_string(s) +
+                           " is not a positive finite number; correct it");
+    }
+    if (!(std::abs(volumes.sum() / lattice.volume() - 1) <= kSumTolerance)) {
+        throw InvalidInput(
+            "the volumes do not sum to the volume of the domain; scale them to this sum");
+    }
+}
 
 VolumeCvtResult compute_volume_cvt(const Lattice& lattice, const Points& points,
                                    const VolumeCvtOptions& options) {

@@ -52,6 +52,10 @@ struct VolumeCvtResult {
     int n_rebuilds = 0;
 };
 
+/// @throws InvalidInput unless there are n positive finite volumes that sum to the volume of the
+///         domain, to 1e-6 of it.
+void require_volumes(const Eigen::VectorXd& volumes, const Lattice& lattice, Eigen::Index n_sites);
+
 /// Finds the power diagram whose cells have prescribed volumes, and optionally moves the sites
 /// towards the centroids of their cells, in the same volumes.
 ///

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "mesher/cells/cell_table.hpp"
+#include "mesher/space/cvt/centroid_cells.hpp"
 #include "mesher/space/cvt/cvt.hpp"
 #include "mesher/space/cvt/volume_cvt.hpp"
 #include "mesher/space/cvt/weighted_cells.hpp"
@@ -41,11 +42,16 @@ struct Tessellation : CvtResult {
                     .run = grains.run,
                     .n_rebuilds = grains.n_rebuilds},
           volumes(grains.volumes) {}
+    explicit Tessellation(CentroidCells&& cells) : Tessellation(std::move(cells.grains)) {
+        centroids = cells.centroids;
+    }
     explicit Tessellation(WeightedCells&& cells)
         : CvtResult{.delaunay = std::move(cells.delaunay), .run = cells.run} {}
 
     /// Figures of a run with prescribed volumes.
     std::optional<SizeFigures> volumes = {};
+    /// Figures of a run with prescribed centroids.
+    std::optional<CentroidFigures> centroids = {};
     /// Elongated cells; set before complex() and table() are called.
     std::optional<Elongation> elongation = {};
 

@@ -16,8 +16,8 @@ namespace {
 constexpr std::array<std::string_view, 8> kLeftOut{"-o",      "--cells", "--report", "--threads",
                                                    "--quiet", "--force", "--strict", "--help"};
 /// Options that take the name of a file, some of them in place of words.
-constexpr std::array<std::string_view, 6> kOfFiles{"--input", "--areas",      "--orientations",
-                                                   "--fixed", "--inclusions", "--density"};
+constexpr std::array<std::string_view, 7> kOfFiles{
+    "--input", "--centroids", "--areas", "--orientations", "--fixed", "--inclusions", "--density"};
 
 template <std::size_t n>
 bool contains(const std::array<std::string_view, n>& names, const std::string& name) {

@@ -15,31 +15,48 @@ void require_one_lattice(const CLI::App& app) {
 
 Duplicates chosen_duplicates(const CLI::App& app, const std::string& word) {
     if (app.count("--duplicates") == 0) return Duplicates::kRefuse;
-    if (app.count("--input") == 0 && app.count("--fixed") == 0) {
+    if (app.count("--input") + app.count("--centroids") + app.count("--fixed") == 0) {
         throw InvalidInput(
             "--duplicates is for sites of a file; add --input FILE, or leave it out");
     }
     return chosen_row("--duplicates", word, kDuplicates).duplicates;
 }
 
+namespace {
+
+/// The option that names a file of points; null if there is none.
+const char* file_option(const CLI::App& app) {
+    for (const char* name : {"--input", "--centroids"}) {
+        if (app.count(name) > 0) return name;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
 void require_one_site_source(const CLI::App& app, const std::string& input) {
     const bool drawn = app.count("--sites") > 0;
-    const bool from_file = app.count("--input") > 0;
-    if (drawn && from_file) {
-        throw InvalidInput("--sites and --input exclude each other; remove one");
+    const char* const file = file_option(app);
+    if (app.count("--centroids") > 0 && app.count("--input") > 0) {
+        throw InvalidInput("--input and --centroids exclude each other; remove one");
     }
-    if (!drawn && !from_file) throw InvalidInput("no sites; give --sites N or --input FILE");
-    if (from_file && input.empty()) {
-        throw InvalidInput("--input: the name is empty; give a file, or - for standard input");
+    if (drawn && file != nullptr) {
+        throw InvalidInput(std::string("--sites and ") + file + " exclude each other; remove one");
+    }
+    if (!drawn && file == nullptr) throw InvalidInput("no sites; give --sites N or --input FILE");
+    if (file != nullptr && input.empty()) {
+        throw InvalidInput(std::string(file) +
+                           ": the name is empty; give a file, or - for standard input");
     }
 }
 
 void refuse_beside_input(const CLI::App& app, std::initializer_list<const char*> names) {
-    if (app.count("--input") == 0) return;
+    const char* const file = file_option(app);
+    if (file == nullptr) return;
     for (const char* name : names) {
         if (app.count(name) == 0) continue;
-        throw InvalidInput(std::string(name) +
-                           " is for random sites, but --input gives them; remove one");
+        throw InvalidInput(std::string(name) + " is for random sites, but " + file +
+                           " gives them; remove one");
     }
 }
 

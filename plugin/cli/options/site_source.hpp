@@ -21,11 +21,12 @@ void require_one_lattice(const CLI::App& app);
 /// @throws InvalidInput where no file gives sites.
 Duplicates chosen_duplicates(const CLI::App& app, const std::string& word);
 
-/// Requires --sites or --input, not both, and that the name of the input is not empty.
+/// Requires one of --sites, --input and --centroids, and that the name of the file is not empty.
+/// @param input  the value of --input or --centroids.
 /// @throws InvalidInput
 void require_one_site_source(const CLI::App& app, const std::string& input);
 
-/// Refuses options of random sites where --input gives the sites.
+/// Refuses options of random sites where --input or --centroids gives the sites.
 /// @throws InvalidInput
 void refuse_beside_input(const CLI::App& app, std::initializer_list<const char*> names);
 

@@ -249,6 +249,7 @@ def mesh(
     fibres: Optional[Tuple[float, ...]] = None,
     holes: Union[str, Sequence[str]] = (),
     duplicates: str = "refuse",
+    sites_are_centroids: bool = False,
     **fields: float,
 ) -> Result: ...
 def space(

@@ -17,7 +17,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
          max_iterations=-1, threads=0, grain_order=0, grain_size=0.0, grain_per_edge=0, short_edges=0.0,
          budget=0, progress=None, areas=None, volumes=None, weights=None, aspect=1.0, phases=None,
          orientations=None, orientation_weights=None, symmetry=None, walls="none", wall_cells="whole",
-         fixed=None, inclusions=None, fibres=None, holes=(), duplicates="refuse", **fields):
+         fixed=None, inclusions=None, fibres=None, holes=(), duplicates="refuse",
+         sites_are_centroids=False, **fields):
     """Generates a periodic centroidal Voronoi tessellation of the plane, or, with three period vectors,
     of space, whose cells are polyhedra. The same arguments give the same result to the last bit.
     Ctrl-C ends the run at the next iteration.
@@ -70,6 +71,10 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
                     100; in space R or (R, (x, y, z)), along that axis
     repeat          the domains that a tile covers, (columns, rows), in space those that files hold,
                     (columns, rows, layers)
+    sites_are_centroids
+                    True: sites are the centroids of measured grains, whose sizes areas or volumes give: the
+                    sites are found whose cells have these sizes and, as nearly as they can, these
+                    centroids. statistics.residual is the largest misfit, in h
     fields          numbers of pcvt_options, by their names in pcvt.h
 
     The arguments that follow are for the plane only.
@@ -124,8 +129,10 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     set_inclusions(options, inclusions, fibres, holes)
     columns, rows, *layers = repeat
     set_integers(options, seed=seed, max_iterations=max_iterations, n_threads=threads,
-                 columns=columns, rows=rows, layers=layers[0] if layers else 0, grain_order=grain_order, grain_per_edge=grain_per_edge,
+                 columns=columns, rows=rows, layers=layers[0] if layers else 0, grain_order=grain_order,
+                 grain_per_edge=grain_per_edge,
                  budget=budget, walls=choice("walls", walls), wall_cells=choice("wall_cells", wall_cells),
+                 sites_are_centroids=sites_are_centroids,
                  symmetry=0 if symmetry is None else choice("symmetry", symmetry),
                  duplicates=choice("duplicates", duplicates, dimension=dimension),
                  start=choice("start", start, dimension=dimension),

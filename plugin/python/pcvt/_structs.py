@@ -33,7 +33,7 @@ class Options(ctypes.Structure):
                 ("weights", c_void_p), ("site_phases", c_void_p), ("n_site_phases", c_int32),
                 ("reserved5", c_int32), ("origin_z", c_double), ("volumes", c_void_p), ("volume_law", c_char_p),
                 ("n_volumes", c_int32), ("reserved6", c_int32), ("orientation_weights", c_void_p),
-                ("aspect_axis", c_double * 3), ("layers", c_int32), ("reserved7", c_int32)]
+                ("aspect_axis", c_double * 3), ("layers", c_int32), ("sites_are_centroids", c_int32)]
 
 
 class Sites(ctypes.Structure):

@@ -170,7 +170,7 @@ static void print_options(void) {
     FIELD(pcvt_options, orientation_weights);
     FIELD(pcvt_options, aspect_axis);
     FIELD(pcvt_options, layers);
-    FIELD(pcvt_options, reserved7);
+    FIELD(pcvt_options, sites_are_centroids);
 }
 
 static void print_sites(void) {

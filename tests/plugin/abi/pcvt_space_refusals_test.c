@@ -83,6 +83,9 @@ static void values_out_of_range_are_refused(void) {
     options.aspect_axis[1] = 1;
     REFUSED(&options, PCVT_ERROR_ARGUMENT, "aspect_axis is for three dimensions");
     options = space_options_for(2);
+    options.sites_are_centroids = 1;
+    REFUSED(&options, PCVT_ERROR_ARGUMENT, "sites_are_centroids");
+    options = space_options_for(2);
     options.reserved4 = 1;
     REFUSED(&options, PCVT_ERROR_ABI, "does not know");
 }

@@ -337,6 +337,25 @@ class Materials(CliTest):
         with self.assertRaisesRegex(pcvt.ArgumentError, "aspect"):
             pcvt.mesh(9, period=(1, 1, 1), aspect=(2, 30))
 
+    def test_cells_of_measured_grains_are_found(self):
+        known = pcvt.mesh(30, period=(1, 1, 1), volumes="lognormal:0.35").tile()
+        centroids, polygons = np.zeros((30, 3)), known.polygons()
+        for cell in range(30):
+            origin = known.site_points[cell]
+            for face, sign in [(f, 1) for f in np.flatnonzero(known.owner == cell)] + [
+                    (f, -1) for f in np.flatnonzero(known.neighbour == cell)]:
+                a = polygons[face] - origin
+                for b, c in zip(a[1:], a[2:]):
+                    centroids[cell] += sign * np.linalg.det((a[0], b, c)) / 24 * (a[0] + b + c)
+            centroids[cell] = origin + centroids[cell] / known.volumes[cell]
+        found = pcvt.mesh(centroids, period=(1, 1, 1), volumes=known.volumes, sites_are_centroids=True)
+        self.assertEqual(found.statistics.stop, "converged")
+        self.assertLess(found.statistics.residual, 1e-6)
+        np.testing.assert_allclose(found.tile().volumes, known.volumes, atol=1e-9 / 30)
+        with self.assertRaisesRegex(pcvt.ArgumentError, "sites_are_centroids needs the sizes of the grains; add areas, "
+                                                        "in space volumes"):
+            pcvt.mesh(centroids, period=(1, 1, 1), sites_are_centroids=True)
+
     def test_volumes_of_a_law_and_of_an_array(self):
         drawn = pcvt.mesh(60, period=(1, 1, 1), volumes="lognormal:0.35")
         self.assertAlmostEqual(drawn.cells["volume"].sum(), 1, delta=1e-12)

@@ -1,0 +1,54 @@
+#include "mesher/space/cvt/centroid_cells.hpp"
+
+#include <cmath>
+
+#include "mesher/cvt/centroid_fit.hpp"
+#include "mesher/space/cvt/distinct_sites.hpp"
+#include "mesher/space/cvt/volume_newton.hpp"
+#include "mesher/space/energy/energy_pass.hpp"
+#include "mesher/space/power/power_cells.hpp"
+
+namespace pcvt::space {
+namespace {
+
+void measure(const PowerDiagram& diagram, Workers& workers, PowerCells& cells) {
+    measure_cells(diagram.regular(), workers, cells);
+}
+
+}  // namespace
+
+CentroidCells fit_volumes_and_centroids(const Lattice& lattice, const Points& centroids,
+                                        const VolumeCvtOptions& options) {
+    require_volumes(options.volumes, lattice, centroids.cols());
+    MovingTetrahedra moving(distinct_sites(lattice, centroids));
+    // Give the volumes the order and the unit of the tetrahedra.
+    const int n = moving.n_sites();
+    Eigen::VectorXd volumes(n);
+    for (SiteId s = 0; s < n; ++s) volumes[s] = options.volumes[moving.original_id(s)];
+    volumes *= moving.frame().volume() / volumes.sum();
+    Workers workers(options.run.n_threads);
+    CentroidObjective<EnergyPass, PowerDiagram, PowerCells> objective(
+        moving, volumes, workers, options.newton_progress, measure);
+    RunStatistics run = fit_centroids(moving, volumes, objective, options.run);
+    const CentroidFigures figures = objective.finish(volume_tolerance(n));
+    run.residual = figures.largest;
+    run.energy = objective.cells().energy * std::pow(moving.unit(), 5);
+    if (run.stop == Stop::kConverged && !objective.figures().converged) run.stop = Stop::kStalled;
+    Eigen::VectorXd cell_volumes(n);
+    for (SiteId s = 0; s < n; ++s) {
+        cell_volumes[moving.original_id(s)] =
+            objective.newton().sizes()[s] * std::pow(moving.unit(), 3);
+    }
+    const int n_rebuilds = moving.n_rebuilds();
+    return {.grains = {.delaunay = weighted_delaunay(moving, objective.newton().diagram()),
+                       .targets = options.volumes,
+                       .cell_volumes = std::move(cell_volumes),
+                       .run = run,
+                       .volumes = objective.figures(),
+                       .largest_error = objective.largest_error(),
+                       .counts = objective.newton().diagram().counts(),
+                       .n_rebuilds = n_rebuilds},
+            .centroids = figures};
+}
+
+}  // namespace pcvt::space
