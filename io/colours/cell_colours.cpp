@@ -1,8 +1,7 @@
 #include "io/colours/cell_colours.hpp"
 
 #include <algorithm>
-#include <array>
-#include <map>
+#include <iterator>
 #include <numeric>
 #include <string>
 
@@ -23,18 +22,19 @@ constexpr double kLeastVolumeShare = 1e-12;
 constexpr int kColourStep = 15;
 
 TileColours colours_by_faces(const std::vector<int>& n_faces) {
-    std::map<int, int> n_cells;
-    for (const int n : n_faces) ++n_cells[n];
+    // The number of cells with each number of faces, then its class.
+    std::vector<int> of_number(1 + *std::max_element(n_faces.begin(), n_faces.end()), 0);
+    for (const int n : n_faces) ++of_number[n];
     TileColours colours{.class_of = {}, .classes = {}, .explanation = ", by number of faces"};
-    std::map<int, int> class_of;
-    for (const auto& [n, count] : n_cells) {
-        class_of[n] = static_cast<int>(colours.classes.size());
-        colours.classes.push_back(
-            {.colour = side_colour(n - kUsualFaces + kUsualSides),
-             .name = "faces_" + std::to_string(n),
-             .label = std::to_string(n) + " faces: " + std::to_string(count)});
+    for (int n = 0; n < std::ssize(of_number); ++n) {
+        if (of_number[n] == 0) continue;
+        const std::string number = std::to_string(n);
+        colours.classes.push_back({.colour = side_colour(n - kUsualFaces + kUsualSides),
+                                   .name = "faces_" + number,
+                                   .label = number + " faces: " + std::to_string(of_number[n])});
+        of_number[n] = static_cast<int>(colours.classes.size()) - 1;
     }
-    for (const int n : n_faces) colours.class_of.push_back(class_of.at(n));
+    for (const int n : n_faces) colours.class_of.push_back(of_number[n]);
     return colours;
 }
 
@@ -53,28 +53,35 @@ TileColours colours_by_volume(const std::vector<double>& volumes) {
     return colours;
 }
 
-TileColours colours_by_orientation(const std::vector<BungeAngles>& angles) {
-    std::vector<std::array<int, 3>> shown;
-    for (const BungeAngles& own : angles) {
-        std::array<int, 3>& colour = shown.emplace_back();
-        const auto exact = pole_colour(own);
-        std::transform(exact.begin(), exact.end(), colour.begin(), [](int part) {
-            return (part + kColourStep / 2) / kColourStep * kColourStep;
-        });
+/// A colour of pole_colour() with rounded components, as red, green and blue in one number.
+int rounded_pole_colour(const BungeAngles& angles) {
+    int packed = 0;
+    for (const int part : pole_colour(angles)) {
+        packed = 256 * packed + (part + kColourStep / 2) / kColourStep * kColourStep;
     }
-    std::map<std::array<int, 3>, int> class_of;
-    for (const auto& colour : shown) class_of.try_emplace(colour, 0);
+    return packed;
+}
+
+TileColours colours_by_orientation(const std::vector<BungeAngles>& angles) {
+    std::vector<int> shown;
+    for (const BungeAngles& own : angles) shown.push_back(rounded_pole_colour(own));
+    std::vector<int> classes = shown;
+    std::sort(classes.begin(), classes.end());
+    classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
     TileColours colours{.class_of = {},
                         .classes = {},
                         .explanation =
                             ", by orientation (inverse pole figure along z of cubic "
                             "crystals: red 001, green 011, blue 111)"};
-    for (auto& [colour, k] : class_of) {
-        k = static_cast<int>(colours.classes.size());
-        const Colour srgb{colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0};
+    for (const int packed : classes) {
+        const Colour srgb{(packed >> 16) / 255.0, (packed >> 8 & 255) / 255.0,
+                          (packed & 255) / 255.0};
         colours.classes.push_back({srgb, "ipf_" + hex(srgb).substr(1), ""});
     }
-    for (const auto& colour : shown) colours.class_of.push_back(class_of.at(colour));
+    for (const int packed : shown) {
+        const auto found = std::lower_bound(classes.begin(), classes.end(), packed);
+        colours.class_of.push_back(static_cast<int>(found - classes.begin()));
+    }
     return colours;
 }
 

@@ -49,15 +49,15 @@ std::vector<EncodedFile> encode_again(SurfaceList list, const std::string& path)
     return encode_ply_mesh(surface_mesh(std::move(list), SeamForm::kColumns), path);
 }
 
-GltfSurface surface_of(const SpaceTile& tile, SurfaceForm form) {
-    return gltf_surface(surface_list(tile.mesh, tile.sites, form));
+GltfSurface surface_of(const SpaceTile& tile, SurfaceForm form, Colouring colouring) {
+    return gltf_surface(with_materials(surface_list(tile.mesh, tile.sites, form), tile, colouring));
 }
 
 /// Proves triangles of a tile. Those of a tile that is too fine for single precision may break laws
 /// although they are those of its faces.
 bool holds_same_triangles(const EncodedFile& glb, const SpaceTile& tile) {
     const GlbSurfaces found = decode_glb_surfaces(glb);
-    require_same_surfaces(found, surface_of(tile, found.list.form));
+    require_same_surfaces(found, surface_of(tile, found.list.form, found.list.colouring));
     const space::TileSurface& surface = found.list.surface;
     if (surface.lattice.periods() != tile.mesh.lattice.periods() || surface.sites != tile.sites ||
         found.list.materials != tile.materials || found.list.weights != tile.weights) {
@@ -66,7 +66,8 @@ bool holds_same_triangles(const EncodedFile& glb, const SpaceTile& tile) {
     try {
         prove_glb_surfaces(glb, found);
     } catch (const InvalidInput&) {
-        if (fits_single_precision(surface_of(tile, SurfaceForm::kCells).mesh)) throw;
+        if (fits_single_precision(surface_of(tile, SurfaceForm::kCells, Colouring::kFaces).mesh))
+            throw;
         throw CoarsePrecision(glb.path +
                               ": the format's single precision is too coarse for this tile; take "
                               "another format");

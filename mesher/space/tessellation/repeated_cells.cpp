@@ -19,12 +19,14 @@ PeriodicDelaunay repeated_cells(const PeriodicDelaunay& delaunay, const Repetiti
     const Eigen::Index n = sites.cols();
     const auto n_copies = static_cast<Eigen::Index>(repeat.n_copies());
     Points points(3, n * n_copies);
-    for (Eigen::Index copy = 0; copy < n_copies; ++copy) {
-        checkpoint();
-        const double i = double(copy % repeat.columns);
-        const double j = double(copy / repeat.columns % repeat.rows);
-        const double k = double(copy / repeat.columns / repeat.rows);
-        points.middleCols(copy * n, n) = sites.colwise() + Vec3(i * a + j * b + k * c);
+    Eigen::Index copy = 0;
+    for (int k = 0; k < repeat.layers; ++k) {
+        for (int j = 0; j < repeat.rows; ++j) {
+            for (int i = 0; i < repeat.columns; ++i) {
+                checkpoint();
+                points.middleCols(n * copy++, n) = sites.colwise() + Vec3(i * a + j * b + k * c);
+            }
+        }
     }
     if (delaunay.weights.size() == 0) return periodic_delaunay(Sites(lattice, points));
     const Eigen::VectorXd weights = delaunay.weights.replicate(n_copies, 1);

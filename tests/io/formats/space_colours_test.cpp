@@ -69,6 +69,18 @@ TEST(SpaceColours, FilesOfEachColouringHoldTheirTile) {
     }
 }
 
+TEST(SpaceColours, ManyCellsHaveOneNodeInTheOrderOfTheirColours) {
+    SpaceTile tile = testing::tile_of(random_case(kMaxCellNodes + 1));
+    tile.materials = testing::some_materials(kMaxCellNodes + 1);
+    for (const ColouringRow& row : kColourings) {
+        if (!row.in_space) continue;
+        SCOPED_TRACE(row.word);
+        const auto files = encoded(tile, "t.glb", {.colouring = row.colouring});
+        prove_own_space_files(files, tile);
+        EXPECT_FALSE(is_refused(files));
+    }
+}
+
 TEST(SpaceColours, BoundariesStateTheMaterialsOfTheirCells) {
     const SpaceTile tile = tile_with_materials(12);
     for (const char* path : kSurfaces) {
