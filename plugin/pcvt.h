@@ -97,8 +97,8 @@ enum {
     PCVT_SOLVER_NEWTON = 3
 };
 
-/** The faces of a mesh or tile: Voronoi cells, Delaunay triangles, triangles inside of cells; in three
- * dimensions cells, Delaunay tetrahedra, tetrahedra inside of cells. */
+/** The faces of a mesh or tile: Voronoi cells, Delaunay triangles, triangles inside of cells; in
+ * three dimensions cells, Delaunay tetrahedra, tetrahedra inside of cells. */
 enum { PCVT_VORONOI = 0, PCVT_DELAUNAY = 1, PCVT_GRAINS = 2 };
 
 /** The boundary of a tile: no cell is cut, or cut along the period parallelogram. */
@@ -501,8 +501,8 @@ typedef struct pcvt_statistics {
 } pcvt_statistics;
 
 /** The options of pcvt_write(). Zero in all fields but struct_size is the default. In three
- *  dimensions only report, kind, replace, progress, progress_data and surface apply; any other field
- *  is refused unless it has its default. */
+ *  dimensions only report, kind, replace, progress, progress_data and surface apply; any other
+ * field is refused unless it has its default. */
 typedef struct pcvt_write_options {
     size_t struct_size;
     const char* report; /**< also write the statistics of the run to this .json file [NULL: no] */
@@ -680,10 +680,11 @@ PCVT_API pcvt_status pcvt_get_cells(const pcvt_result* result, pcvt_cells* view,
 /** Writes a tile, or the sites for the extension .txt, a table of the cells for .csv. In three
  * dimensions it writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the boundary
  * of the tile (.om, and the three before for PCVT_SURFACE_BOUNDARY), the Delaunay tetrahedra (.msh,
- * and .vtu for PCVT_DELAUNAY) or those inside of the cells (.msh and .vtu for PCVT_GRAINS), pictures (.svg, .png) or the sites (.txt). Either all files appear,
- * complete and proved to be a periodic tile, or none; only the report appears where the single
- * precision of the file does not hold the tile (PCVT_ERROR_ARGUMENT). Missing folders are made.
- * Calls and runs that write to one folder at the same time rename their files one after the other.
+ * and .vtu for PCVT_DELAUNAY) or those inside of the cells (.msh and .vtu for PCVT_GRAINS),
+ * pictures (.svg, .png) or the sites (.txt). Either all files appear, complete and proved to be a
+ * periodic tile, or none; only the report appears where the single precision of the file does not
+ * hold the tile (PCVT_ERROR_ARGUMENT). Missing folders are made. Calls and runs that write to one
+ * folder at the same time rename their files one after the other.
  *  @param path     its extension selects the format; NULL: only the report.
  *  @param options  NULL: the defaults.
  *  @returns PCVT_CANCELLED if the progress callback cancelled; no file appears then.

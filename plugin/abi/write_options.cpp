@@ -99,9 +99,9 @@ WriteRequest write_request(const char* path, const pcvt_write_options& options, 
     }
     WriteRequest request;
     request.path = given_text(path);
-    request.layout.kind =
-        row_for(in_space, "kind", options.kind, plane::kMeshKinds, "PCVT_VORONOI, PCVT_DELAUNAY or PCVT_GRAINS")
-            .kind;
+    request.layout.kind = row_for(in_space, "kind", options.kind, plane::kMeshKinds,
+                                  "PCVT_VORONOI, PCVT_DELAUNAY or PCVT_GRAINS")
+                              .kind;
     request.layout.outline = tile_outline(options.outline);
     check_surfaces(request.path, options, in_space);
     if (options.colour != PCVT_COLOUR_DEFAULT) {

@@ -9,6 +9,10 @@
 namespace pcvt {
 namespace {
 
+/// Edges below this part of h are removed from Voronoi cells: nobody sees them, and each would take
+/// layers of ever smaller tetrahedra.
+constexpr double kShortGrainEdgeInSpace = 1e-3;
+
 SpaceGrainFigures figures_of(const space::Grains& grains) {
     const space::TetrahedralMesh& mesh = grains.mesh.tetrahedra;
     SpaceGrainFigures figures{.n_tetrahedra = mesh.n_tetrahedra(),
@@ -30,7 +34,11 @@ SpaceGrainFigures figures_of(const space::Grains& grains) {
 SpaceGrains build_space_grains(const Job& job, const space::Tessellation& cells,
                                JobMonitor& monitor) {
     monitor.begin(Phase::kBuilding, "filling the cells with tetrahedra");
-    const space::CellComplex complex = without_short_edges(cells.complex(), job.tile.short_edges);
+    // Power cells keep their volumes unless the user asks otherwise.
+    const double shortest = cells.delaunay.weights.size() > 0
+                                ? job.tile.short_edges
+                                : std::max(job.tile.short_edges, kShortGrainEdgeInSpace);
+    const space::CellComplex complex = without_short_edges(cells.complex(), shortest);
     space::Grains grains = mesh_grains(cells.sites(), complex,
                                        {.size = job.tile.grain_size,
                                         .n_threads = job.run.n_threads,

@@ -24,6 +24,9 @@ constexpr double kTargetStep = 0.1;
 /// The sine below which flips accompany relaxations.
 constexpr double kRelaxedBelow = 0.6;
 
+/// Cells of more tetrahedra are filled once: flat ones, where other densities hardly help.
+constexpr int kMostForAttempts = 5000;
+
 /// One way to fill a cell.
 struct Attempt {
     /// RefinementChoices, the second and third relative to their defaults.
@@ -119,7 +122,7 @@ std::optional<CellTetrahedra> fill_cell(const CellHull& hull, double size) {
             worst = quality;
             best = std::move(cell);
         }
-        if (worst >= kEnough) break;
+        if (worst >= kEnough || best->n_numbers() > kMostForAttempts) break;
     }
     return best;
 }

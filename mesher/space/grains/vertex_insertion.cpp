@@ -123,31 +123,37 @@ bool VertexInsertion::insert_into_longest_edge(int t) {
     return insert_at(t, (cell_.point(a) + cell_.point(b)) / 2, holders);
 }
 
+/// Adds the triangles of a tetrahedron that bound `inside_` to the front.
+void VertexInsertion::add_to_front(const Vec3& x, int t) {
+    for (int k = 0; k < 4; ++k) {
+        const int o = cell_.neighbour(t, k);
+        if (o >= 0 && cell_.marks()[o] != 0) continue;
+        const ThreeCorners c = cell_.triangle(t, k);
+        front_.push_back(
+            {smallest_sine(x, cell_.point(c[0]), cell_.point(c[1]), cell_.point(c[2])), o});
+    }
+}
+
 /// Adds tetrahedra to `inside_` at its worst triangle until x sees each triangle under a sine above
 /// `least`.
 bool VertexInsertion::grow(const Vec3& x, double least) {
     std::vector<char>& marks = cell_.marks();
+    front_.clear();
     for (const int t : inside_) marks[t] = 1;
+    for (const int t : inside_) add_to_front(x, t);
     bool grown = false;
     while (!grown) {
-        double worst = kUnlimited;
-        int beyond = -1;
-        for (const int t : inside_) {
-            for (int k = 0; k < 4; ++k) {
-                const int o = cell_.neighbour(t, k);
-                if (o >= 0 && marks[o] != 0) continue;
-                const ThreeCorners c = cell_.triangle(t, k);
-                const double sine =
-                    smallest_sine(x, cell_.point(c[0]), cell_.point(c[1]), cell_.point(c[2]));
-                if (sine >= worst) continue;
-                worst = sine;
-                beyond = o;
-            }
-        }
-        grown = worst > least;
+        const auto worst =
+            std::min_element(front_.begin(), front_.end(),
+                             [](const Side& s, const Side& r) { return s.sine < r.sine; });
+        grown = worst->sine > least;
+        const int beyond = worst->beyond;
         if (grown || beyond < 0 || static_cast<int>(inside_.size()) > kMostInside) break;
         marks[beyond] = 1;
         inside_.push_back(beyond);
+        std::erase_if(front_, [&](const Side& s) { return s.beyond == beyond; });
+        add_to_front(x, beyond);
+        if (front_.empty()) break;
     }
     for (const int t : inside_) marks[t] = 0;
     return grown;

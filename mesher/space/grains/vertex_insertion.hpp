@@ -27,6 +27,13 @@ class VertexInsertion {
     bool insert_at(int t, const Vec3& x, const std::vector<int>& holders);
     bool insert_near(int t);
     bool insert_into_longest_edge(int t);
+    /// A triangle that bounds `inside_`: the smallest sine of its tetrahedron with the new vertex,
+    /// and the tetrahedron beyond, or -1.
+    struct Side {
+        double sine;
+        int beyond;
+    };
+    void add_to_front(const Vec3& x, int t);
     bool grow(const Vec3& x, double least);
     bool find_boundary(int v);
     double finish(int v);
@@ -35,6 +42,7 @@ class VertexInsertion {
     VertexMoves& moves_;
     std::vector<int> star_;
     std::vector<int> inside_;
+    std::vector<Side> front_;
     std::vector<int> vertices_;
     std::vector<FourCorners> fresh_;
     std::vector<FourCorners> before_;

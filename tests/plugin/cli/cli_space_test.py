@@ -249,7 +249,7 @@ class Surfaces(CliTest):
         self.succeed("check", "p.vtu", "s.msh")
         self.refuse(2, "^pcvt: tetrahedra state no phases and no orientations; add", *run, "--phases", "A:0.5,B:0.5",
                     "-o", "q.vtu")
-        self.refuse(2, "^pcvt: grains of that size are more than pcvt holds", *run, "--size", 1e-4, "-o", "q.msh")
+        self.refuse(4, "^pcvt: grains of that size are more than pcvt holds", *run, "--size", 1e-4, "-o", "q.msh")
 
     def test_damage_is_found(self):
         self.succeed("mesh", "--sites", 8, *CUBE, "--quiet", *self.FILES)
