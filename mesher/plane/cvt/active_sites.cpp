@@ -17,7 +17,7 @@ constexpr double kLargestTolerance = 1.5e-3;
 /// The number of iterations with all sites before the first round: for up to 10^5 sites, and for
 /// each doubling of this number. After fewer, the run ends with a higher energy, by more than 2e-5.
 constexpr int kIterationsBefore = 110;
-constexpr int kIterationsPerDoubling = 10;
+constexpr int kIterationsPerDoubling = 7;
 constexpr int kManySites = 100'000;
 /// Residuals above this share of the tolerance make sites active, if at most the other share of all
 /// sites has them.
