@@ -9,25 +9,31 @@
 namespace pcvt::plane {
 namespace {
 
-/// Below these numbers of sites and this tolerance rounds gain nothing: with 1e-5, two thirds of
-/// the sites would be active.
+/// With fewer sites a run is short. With smaller tolerances two thirds of the sites would be
+/// active, and with larger ones the run would end before the other sites are relaxed.
 constexpr int kFewestSites = 20'000;
 constexpr double kLeastTolerance = 1e-4;
-/// The number of iterations with all sites before the first round. Sooner, the run ends with a
-/// higher energy: long waves, and sites with small residuals, relax only with all sites.
-constexpr int kIterationsBefore = 100;
-/// Residuals above this share of the tolerance make sites active, if these are few enough.
+constexpr double kLargestTolerance = 1.5e-3;
+/// The number of iterations with all sites before the first round: for up to 10^5 sites, and for
+/// each doubling of this number. After fewer, the run ends with a higher energy, by more than 2e-5.
+constexpr int kIterationsBefore = 110;
+constexpr int kIterationsPerDoubling = 7;
+constexpr int kManySites = 100'000;
+/// Residuals above this share of the tolerance make sites active, if at most the other share of all
+/// sites has them.
 constexpr double kActiveShare = 0.8;
-constexpr double kMostActiveShare = 0.01;
-/// The number of iterations after which large residuals are counted again, if they were too many.
-constexpr int kIterationsBetween = 5;
+constexpr double kMostActive = 0.015;
+/// The number of iterations with all sites between two rounds, where those outside of patches
+/// relax, and after a count that found too many.
+constexpr int kIterationsBetweenRounds = 2;
+constexpr int kIterationsBetweenCounts = 5;
 /// Rings of neighbours that move with an active site. With three rings, residuals come back from
 /// the edge of the patch in 40 rounds without an end; with 14, a round costs more than it saves.
 constexpr int kRings = 10;
 /// Where a minimiser of a patch ends.
 constexpr double kPatchTolerance = 0.15;
 constexpr int kMostPatchIterations = 60;
-/// Runs at n = 10^5 and 10^6 need 5 to 20 rounds. After this number, rounds do not help.
+/// Runs at n = 10^5 and 10^6 need 3 to 12 rounds. After this number, rounds do not help.
 constexpr int kMostRounds = 40;
 
 /// A patch with its minimised energy.
@@ -46,7 +52,19 @@ std::unique_ptr<DelaunayPatch> minimized_patch(const MovingDelaunay& whole, cons
     return patch;
 }
 
+int iterations_before(int n_sites) {
+    int iterations = kIterationsBefore;
+    for (; n_sites > kManySites; n_sites /= 2) iterations += kIterationsPerDoubling;
+    return iterations;
+}
+
 }  // namespace
+
+ActiveSites::ActiveSites(MovingDelaunay& delaunay, Workers& workers, const FixedBlocks& fixed)
+    : delaunay_(delaunay),
+      workers_(workers),
+      fixed_(fixed),
+      n_to_wait_(iterations_before(delaunay.n_sites())) {}
 
 std::vector<SiteId> ActiveSites::sites_above(double residual, const Eigen::VectorXd& gradient,
                                              const Eigen::VectorXd& mass) const {
@@ -76,16 +94,17 @@ void ActiveSites::run_round(const std::vector<SiteId>& first, double tolerance) 
 bool ActiveSites::relax(const Eigen::VectorXd& gradient, const Eigen::VectorXd& mass,
                         double tolerance) {
     const int n_sites = delaunay_.n_sites();
-    if (n_sites < kFewestSites || tolerance < kLeastTolerance || n_rounds_ == kMostRounds) {
-        return false;
-    }
-    if (n_calls_++ < kIterationsBefore) return false;
+    const bool in_range = tolerance >= kLeastTolerance && tolerance <= kLargestTolerance;
+    if (n_sites < kFewestSites || !in_range || n_rounds_ == kMostRounds) return false;
+    if (n_waited_++ < n_to_wait_) return false;
+    n_waited_ = 0;
     const std::vector<SiteId> first = sites_above(kActiveShare * tolerance, gradient, mass);
-    if (double(first.size()) > kMostActiveShare * n_sites) {
-        n_calls_ = kIterationsBefore - kIterationsBetween + 1;
+    if (double(first.size()) > kMostActive * n_sites) {
+        n_to_wait_ = kIterationsBetweenCounts - 1;
         return false;
     }
     run_round(first, tolerance);
+    n_to_wait_ = kIterationsBetweenRounds;
     ++n_rounds_;
     return true;
 }

@@ -10,7 +10,7 @@ namespace pcvt::plane {
 
 /// The end of a minimisation for rho = 1, in which few sites are far from the tolerance.
 ///
-/// After about 100 iterations nearly all residuals are below a tolerance of 1e-3, except near cells
+/// After some 100 iterations nearly all residuals are below a tolerance of 1e-3, except near cells
 /// without six sides, where sites still rearrange. A round moves only the active sites: those with
 /// larger residuals and the rings of sites round them. They form patches (delaunay_patch.hpp), each
 /// of which has its own minimiser, with its own steps and history, while all other sites stay. A
@@ -30,10 +30,10 @@ namespace pcvt::plane {
 class ActiveSites {
    public:
     /// All arguments must outlive this object.
-    ActiveSites(MovingDelaunay& delaunay, Workers& workers, const FixedBlocks& fixed)
-        : delaunay_(delaunay), workers_(workers), fixed_(fixed) {}
+    ActiveSites(MovingDelaunay& delaunay, Workers& workers, const FixedBlocks& fixed);
 
-    /// Runs one round where this takes less time than iterations with all sites would.
+    /// Must be called before each iteration. Runs one round where this takes less time than
+    /// iterations with all sites would.
     /// @param gradient   zero at fixed sites.
     /// @param tolerance  of the residuals, in units of h.
     /// @returns whether sites have moved. The triangulation is then restored inside of the patches,
@@ -48,8 +48,10 @@ class ActiveSites {
     MovingDelaunay& delaunay_;
     Workers& workers_;
     const FixedBlocks& fixed_;
-    int n_calls_ = 0;
     int n_rounds_ = 0;
+    /// The calls since the last round or count, and the number of them before the next.
+    int n_waited_ = 0;
+    int n_to_wait_;
 };
 
 }  // namespace pcvt::plane

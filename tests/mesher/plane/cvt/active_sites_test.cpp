@@ -80,7 +80,7 @@ TEST(ActiveSites, NeedFewerIterationsThanARunWithoutRounds) {
     without.guard = &guard;
     const CvtResult all_sites = solve(without);
     const CvtResult active = solve(options_with(2));
-    EXPECT_GT(all_sites.run.iterations, 105);
+    EXPECT_GT(all_sites.run.iterations, 115);
     EXPECT_LT(active.run.iterations, all_sites.run.iterations - 5);
     EXPECT_LT(active.run.energy, all_sites.run.energy * (1 + 6e-5));
 }
@@ -98,11 +98,11 @@ TEST(ActiveSites, NeverRaiseTheEnergyAndCanBeCancelled) {
     options.run.progress = [&](const Progress& progress) {
         EXPECT_LE(progress.value, least * (1 + 1e-12)) << "iteration " << progress.iteration;
         least = std::min(least, progress.value);
-        return progress.iteration < 102;
+        return progress.iteration < 112;
     };
     const CvtResult result = solve(options);
     EXPECT_EQ(result.run.stop, Stop::kCancelled);
-    EXPECT_EQ(result.run.iterations, 102);
+    EXPECT_EQ(result.run.iterations, 112);
 }
 
 TEST(ActiveSites, LeaveFixedSitesWhereTheyAre) {
@@ -130,11 +130,12 @@ bool has_no_rounds(const Points& points, CvtOptions options) {
     return compute_cvt(oblique(), points, options).delaunay.sites().coordinates() == first;
 }
 
-TEST(ActiveSites, AreNotUsedForFewSitesNorForTightTolerances) {
+TEST(ActiveSites, AreNotUsedForFewSitesNorForOtherTolerances) {
     EXPECT_TRUE(has_no_rounds(coarse_start(oblique(), kSites - 1, 4, {}), options_with(2)));
     CvtOptions tight = options_with(2, 9e-5);
-    tight.run.max_iterations = 125;
+    tight.run.max_iterations = 130;
     EXPECT_TRUE(has_no_rounds(start(), tight));
+    EXPECT_TRUE(has_no_rounds(start(), options_with(2, 2e-3)));
     EXPECT_FALSE(has_no_rounds(start(), options_with(2)));
 }
 
@@ -150,12 +151,12 @@ class OneDisplacedSite : public ::testing::Test {
         delaunay_.settle();
     }
 
-    /// Calls relax() before each of 101 iterations; the last call runs a round.
+    /// Calls relax() before each of 111 iterations; the last call runs a round.
     bool relax() {
-        for (int iteration = 0; iteration < 100; ++iteration) {
-            EXPECT_FALSE(active_.relax(energy_.gradient, energy_.mass, 2e-3));
+        for (int iteration = 0; iteration < 110; ++iteration) {
+            EXPECT_FALSE(active_.relax(energy_.gradient, energy_.mass, kTolerance));
         }
-        return active_.relax(energy_.gradient, energy_.mass, 2e-3);
+        return active_.relax(energy_.gradient, energy_.mass, kTolerance);
     }
 
     static constexpr SiteId kDisplaced = 7001;
@@ -184,7 +185,8 @@ TEST_F(OneDisplacedSite, RelaxesWithItsNeighboursOnly) {
     EXPECT_GT(n_moved, 200);
     EXPECT_LT(n_moved, 800);
     Workers one(1);
-    EXPECT_LT(residuals(energy_.gradient, energy_.mass, delaunay_.spacing(), one).largest, 2e-3);
+    EXPECT_LT(residuals(energy_.gradient, energy_.mass, delaunay_.spacing(), one).largest,
+              kTolerance);
     // The triangulation is that of a new build.
     auto [sites, triangulation] = delaunay_.release();
     EXPECT_NO_THROW(PeriodicDelaunay(std::move(sites), std::move(triangulation)));
