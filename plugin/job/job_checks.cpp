@@ -133,8 +133,7 @@ void check_aspect(const Job& job) {
         if (!job.is_in_space()) {
             reduce(metric_of(job).to_round(job.in_plane().lattice));
         } else {
-            const space::Metric metric(job.aspect->ratio, job.aspect->axis);
-            reduce(metric.to_round(job.in_space().lattice));
+            reduce(space_metric_of(job).to_round(job.in_space().lattice));
         }
     } catch (const InvalidInput& error) {
         throw InvalidInput(std::string("elongated by the aspect: ") + error.what());
