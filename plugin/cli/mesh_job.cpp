@@ -111,8 +111,10 @@ void read_site_source(const CLI::App& app, const MeshOptions& options, Job& job)
     if (app.count("--retry") > 0) {
         job.retries = whole_number("--retry", options.retry, 0, kMostRetries);
     }
-    if (app.count("--centroids") > 0) job.centroids = point_table(options);
     const std::string input = parse_table_name(point_table(options)).path;
+    if (app.count("--centroids") > 0) {
+        job.centroids = input == "-" ? "standard input" : point_table(options);
+    }
     if (app.count("--sites") == 0 && input != "-") job.inputs.push_back(input);
     job.duplicates = chosen_duplicates(app, options.duplicates);
 }

@@ -18,7 +18,7 @@
 #include "mesher/plane/symmetry/plane_group.hpp"
 #include "mesher/plane/tessellation/tessellation.hpp"
 #include "mesher/plane/tile/build_tile.hpp"
-#include "mesher/space/geometry/lattice.hpp"
+#include "mesher/space/geometry/metric.hpp"
 #include "mesher/torus/coincident_sites.hpp"
 #include "mesher/torus/walls.hpp"
 #include "plugin/job/job_progress.hpp"

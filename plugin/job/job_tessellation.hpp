@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "mesher/space/geometry/metric.hpp"
 #include "plugin/job/job.hpp"
 #include "plugin/job/job_start.hpp"
 
