@@ -35,13 +35,13 @@ namespace pcvt {
 /// `Pass` evaluates a moving triangulation `Pass::Moving` as in CvtObjective, `Diagram` is its
 /// power diagram as in SizeNewton, and `Cells` the integrals over its cells, energy, gradient and
 /// mass.
-template <class Pass, class Diagram, class Cells>
+template <class Pass, class Diagram>
 class CentroidObjective final : public Objective {
    public:
     using Moving = typename Pass::Moving;
     using Points = std::decay_t<decltype(std::declval<Moving>().coordinates())>;
     using Point = Eigen::Vector<double, Moving::kDimension>;
-    using Measure = void(const Diagram& diagram, Workers& workers, Cells& cells);
+    using Measure = void(const Diagram& diagram, Workers& workers, Energy& cells);
 
     /// All arguments but the last must outlive this object.
     /// @param moving  its sites are the prescribed centroids.
@@ -115,7 +115,7 @@ class CentroidObjective final : public Objective {
         return (newton_.sizes() - sizes_).cwiseAbs().maxCoeff() / sizes_.mean();
     }
     const SizeNewton<Diagram>& newton() const { return newton_; }
-    const Cells& cells() const { return cells_; }
+    const Energy& cells() const { return cells_; }
 
    private:
     static constexpr int kNumbers = Moving::kNumbersPerSite;
@@ -175,7 +175,7 @@ class CentroidObjective final : public Objective {
 
     /// Values at trial_ and the cells.
     void fill(Evaluation& evaluation) {
-        evaluation.value = -(cells_.energy + newton_.weights().dot(sizes_ - cells_.mass));
+        evaluation.value = -(cells_.value + newton_.weights().dot(sizes_ - cells_.mass));
         evaluation.gradient = -cells_.gradient;
         double largest = 0;
         double sum = 0;
@@ -211,7 +211,7 @@ class CentroidObjective final : public Objective {
     Pass pass_;
     Energy euclidean_;
     SizeNewton<Diagram> newton_;
-    Cells cells_;
+    Energy cells_;
     SizeFigures figures_;
     /// The prescribed centroids, reduced basis.
     Points targets_;

@@ -10,7 +10,7 @@
 namespace pcvt::plane {
 namespace {
 
-void measure(const PowerDiagram& diagram, Workers& workers, PowerCells& cells) {
+void measure(const PowerDiagram& diagram, Workers& workers, Energy& cells) {
     measure_cells(diagram.regular(), diagram.heights(), workers, cells);
 }
 
@@ -28,12 +28,12 @@ CentroidCells fit_areas_and_centroids(const Lattice& lattice, const Points& cent
     for (SiteId s = 0; s < n; ++s) areas[s] = options.areas[moving.original_id(s)];
     areas *= moving.frame().ax * moving.frame().by / areas.sum();
     Workers workers(options.run.n_threads);
-    CentroidObjective<EnergyPass, PowerDiagram, PowerCells> objective(
-        moving, areas, workers, options.newton_progress, measure);
+    CentroidObjective<EnergyPass, PowerDiagram> objective(moving, areas, workers,
+                                                          options.newton_progress, measure);
     RunStatistics run = fit_centroids(moving, areas, objective, options.run);
     const CentroidFigures figures = objective.finish(area_tolerance(n));
     run.residual = figures.largest;
-    run.energy = objective.cells().energy * std::pow(unit, 4);
+    run.energy = objective.cells().value * std::pow(unit, 4);
     if (run.stop == Stop::kConverged && !objective.figures().converged) run.stop = Stop::kStalled;
     Eigen::VectorXd weights(n);
     for (SiteId s = 0; s < n; ++s) {

@@ -11,7 +11,7 @@
 namespace pcvt::space {
 namespace {
 
-void measure(const PowerDiagram& diagram, Workers& workers, PowerCells& cells) {
+void measure(const PowerDiagram& diagram, Workers& workers, Energy& cells) {
     measure_cells(diagram.regular(), workers, cells);
 }
 
@@ -27,12 +27,12 @@ CentroidCells fit_volumes_and_centroids(const Lattice& lattice, const Points& ce
     for (SiteId s = 0; s < n; ++s) volumes[s] = options.volumes[moving.original_id(s)];
     volumes *= moving.frame().volume() / volumes.sum();
     Workers workers(options.run.n_threads);
-    CentroidObjective<EnergyPass, PowerDiagram, PowerCells> objective(
-        moving, volumes, workers, options.newton_progress, measure);
+    CentroidObjective<EnergyPass, PowerDiagram> objective(moving, volumes, workers,
+                                                          options.newton_progress, measure);
     RunStatistics run = fit_centroids(moving, volumes, objective, options.run);
     const CentroidFigures figures = objective.finish(volume_tolerance(n));
     run.residual = figures.largest;
-    run.energy = objective.cells().energy * std::pow(moving.unit(), 5);
+    run.energy = objective.cells().value * std::pow(moving.unit(), 5);
     if (run.stop == Stop::kConverged && !objective.figures().converged) run.stop = Stop::kStalled;
     Eigen::VectorXd cell_volumes(n);
     for (SiteId s = 0; s < n; ++s) {
