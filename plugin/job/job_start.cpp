@@ -49,6 +49,7 @@ JobStart coarse_job_start(const Job& job, const ProgressCallback& callback) {
                                             .density = job.density};
     JobStart start;
     start.precondition_below = plane::kPreconditionAfterCoarse;
+    start.relaxes_active_sites = true;
     if (job.symmetry) {
         const plane::PlaneGroup group(*job.symmetry, job.in_plane().lattice);
         start.symmetric = symmetric_coarse_start(group, plan_of(job, group), job.seed, options);

@@ -21,6 +21,7 @@ struct JobStart {
     Eigen::VectorXd areas = {};
     /// For CvtOptions.
     double precondition_below = plane::CvtOptions().precondition_below;
+    bool relaxes_active_sites = false;
     StartFigures figures;
     /// The evaluations of the global search.
     int evaluations = 0;

@@ -58,6 +58,7 @@ plane::Tessellation tessellate(const Job& job, JobStart& start, JobMonitor& moni
     }
     plane::CvtOptions options{.run = run,
                               .precondition_below = start.precondition_below,
+                              .relaxes_active_sites = start.relaxes_active_sites,
                               .numbering = start.numbering,
                               .density = job.density};
     options.fixed.resize(static_cast<std::size_t>(job.in_plane().fixed.cols()));

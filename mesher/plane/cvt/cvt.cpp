@@ -115,7 +115,8 @@ RunStatistics minimize(MovingDelaunay& delaunay, const CvtOptions& options,
     Workers workers(std::min(options.run.n_threads, n_tasks));
     const SiteConstraints constraints = constraints_of(delaunay, options);
     // A guard knows only the positions of all sites.
-    const bool relaxes = options.run.solver == Solver::kLbfgs && options.guard == nullptr;
+    const bool relaxes = options.relaxes_active_sites && options.run.solver == Solver::kLbfgs &&
+                         options.guard == nullptr;
     UniformObjective all(delaunay, workers, constraints, relaxes);
     std::optional<SymmetricObjective> symmetric;
     if (orbits != nullptr) symmetric.emplace(all, *orbits);

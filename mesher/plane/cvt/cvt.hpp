@@ -13,6 +13,9 @@ struct CvtOptions {
     /// L-BFGS preconditions long waves (long_waves.hpp) once the RMS residual is below this; 0:
     /// never. With a much larger value random sites end in higher minima.
     double precondition_below = 3e-4;
+    /// Whether the run may end with rounds of active sites (active_sites.hpp). For sites after a
+    /// coarse start; from random sites such a run ends with a higher energy, by 1e-4.
+    bool relaxes_active_sites = false;
     /// The numbers of the result's sites. By columns, neighbours have numbers near to each other,
     /// which suits meshes and the matrices of solvers.
     Numbering numbering = Numbering::kAsGiven;

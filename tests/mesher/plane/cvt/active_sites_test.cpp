@@ -36,6 +36,7 @@ CvtOptions options_with(int n_threads, double tolerance = kTolerance) {
     options.run.tolerance = tolerance;
     options.run.n_threads = n_threads;
     options.precondition_below = kPreconditionAfterCoarse;
+    options.relaxes_active_sites = true;
     return options;
 }
 
