@@ -18,12 +18,11 @@ struct SizeFigures {
     /// Products with the Laplacian, and triangulations of trial weights.
     int products = 0;
     int trials = 0;
-    /// A bound of the relative error by the rounding of double weights: a size changes with a
-    /// weight by the length or area of a common side over twice the distance of its sites.
+    /// A bound of the relative error by rounding, SizeNewton::rounding() over the least target.
     /// Computed, and above the usual tolerance, only where sites are much closer to each other than
     /// the cells are long.
     double rounding = 0;
-    /// Whether the error is below the tolerance or the rounding.
+    /// Whether the error of each cell is below the tolerance or the rounding.
     bool converged = false;
 };
 
@@ -42,6 +41,18 @@ using NewtonCallback = std::function<void(const SizeFigures&)>;
 /// the targets and of the start, and the error |s - m| falls by the factor 1 - t / 2. A step that
 /// would hide a cell is halved as well.
 ///
+/// Weights are doubles. The size m_i changes with the weight w_j by the conductance c_ij, the
+/// length or area of the common side over twice the distance of its sites, and a weight is rounded
+/// to 2^-53 |w|, so that each size has a rounding of its own,
+///
+///   r_i  =  k 2^-53 sum over the neighbours j of c_ij (|w_i| + |w_j|),
+///
+/// where k counts roundings: of the weight in a step and where the mean is taken off, and of the
+/// heights that follow from it. Steps are judged by the largest |m_i - s_i| over the tolerance or
+/// r_i where errors are that small, so that cells between near sites, which stay at their rounding,
+/// do not keep others from their targets. Tetrahedra between near sites belong to other cells as
+/// well, so that the bound of all errors is r, the largest r_i.
+///
 /// `Diagram` is the power diagram of the sites of a `Diagram::Moving`, copied and swapped freely,
 /// with weights of its own (plane::PowerDiagram):
 ///
@@ -52,8 +63,7 @@ using NewtonCallback = std::function<void(const SizeFigures&)>;
 ///   set_weights(weights)       measures the cells; false if a site has none
 ///   weights(), sizes()         w and m, by site
 ///   graph()                    the adjacency of the cells
-///   kSizeRounding              the relative rounding of weights, and of lengths that follow from
-///                              them, that adds up in one size
+///   kSizeRounding              k 2^-53
 ///   kAggregation               the argument of LaplacianSolver
 ///   kWarmTrials                how often weights of an earlier call, then halves of them, are
 ///   tried
@@ -66,8 +76,8 @@ using NewtonCallback = std::function<void(const SizeFigures&)>;
 ///     const Eigen::VectorXd& weights = newton.weights();
 ///
 /// Laws, tested by number:
-///   (1) max |m_i - s_i| / s_i <= max(`tolerance`, rounding), for any sites, n >= 1 and positive
-///       targets that sum to the size of the domain.
+///   (1) |m_i - s_i| <= max(`tolerance` s_i, r), for any sites, n >= 1 and positive targets that
+///       sum to the size of the domain.
 ///   (2) The weights sum to zero, and equal targets on a lattice give equal weights.
 ///   (3) Every bit is the same for any number of workers.
 ///   (4) The weights of an orbit are equal to the last bit.
@@ -93,21 +103,28 @@ class SizeNewton {
     const Eigen::VectorXd& weights() const { return here_.weights(); }
     const Eigen::VectorXd& sizes() const { return here_.sizes(); }
     const Diagram& diagram() const { return here_; }
+    /// r in the unit of sizes(), for the present weights.
+    double rounding() const { return orbit_roundings(graph()).maxCoeff(); }
 
    private:
     /// The adjacency of the orbits of cells.
     CellGraph graph() const { return orbits_.merged(here_.graph()); }
-    double rounding(const Eigen::VectorXd& targets) const;
+    Eigen::VectorXd orbit_roundings(const CellGraph& cells) const;
+    /// The largest error over the tolerance or the rounding of its cell.
+    double excess(const Eigen::VectorXd& sizes, const Eigen::VectorXd& targets,
+                  double tolerance) const;
     void begin(double least_target);
     enum class Outcome { kAccepted, kRounding, kTooShort };
     Outcome search(const Eigen::VectorXd& targets, const Eigen::VectorXd& direction,
-                   double shortest, double least_size, SizeFigures& figures);
+                   double tolerance, double shortest, double least_size, SizeFigures& figures);
     bool step(const Eigen::VectorXd& targets, double tolerance, double least_size,
               SizeFigures& figures);
 
     WeightOrbits orbits_;
     Diagram here_;
     Diagram trial_;
+    /// The part of r_i by site that steps aim at.
+    Eigen::VectorXd roundings_;
     double last_step_ = 1;
 };
 

@@ -29,9 +29,12 @@ inline constexpr double kSmallestWarmCell = 0.1;
 inline constexpr double kLonger = 4;
 /// A step shorter than this makes no progress.
 inline constexpr double kShortestStep = 0x1p-30;
-/// Errors below this, relative to the sizes, may be rounding: steps are judged by the largest
-/// relative error, and a full step that does not halve it ends the iteration.
+/// Errors below this, relative to the sizes, or below a few roundings, may be rounding: steps are
+/// judged by the largest error of a cell, and one that does not lower it ends the iteration.
 inline constexpr double kRounding = 1e-9;
+inline constexpr double kPerRounding = 4;
+/// Most cells come as near to their targets as this share of r_i, which steps aim at.
+inline constexpr double kUsualRounding = 0x1p-3;
 inline constexpr int kMostSteps = 200;
 
 inline double largest_error(const Eigen::VectorXd& sizes, const Eigen::VectorXd& targets) {
@@ -43,6 +46,29 @@ inline double largest_error(const Eigen::VectorXd& sizes, const Eigen::VectorXd&
 template <class Diagram>
 SizeNewton<Diagram>::SizeNewton(const Moving& moving, Workers& workers, WeightOrbits orbits)
     : orbits_(std::move(orbits)), here_(moving, workers), trial_(moving, workers) {}
+
+/// r_i of each orbit, for one of its cells.
+/// @param cells  the graph of the present weights.
+template <class Diagram>
+Eigen::VectorXd SizeNewton<Diagram>::orbit_roundings(const CellGraph& cells) const {
+    // The weights of an orbit are equal.
+    const Eigen::VectorXd n_cells = orbits_.sums(Eigen::VectorXd::Ones(here_.n_sites()));
+    const Eigen::VectorXd magnitude = orbits_.sums(weights().cwiseAbs()).cwiseQuotient(n_cells);
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(cells.n_rows());
+    for (int s = 0; s < cells.n_rows(); ++s) {
+        for (int k = cells.row_begin[s]; k < cells.row_begin[s + 1]; ++k) {
+            sums[s] += cells.conductance[k] * (magnitude[s] + magnitude[cells.neighbour[k]]);
+        }
+    }
+    return Diagram::kSizeRounding * sums.cwiseQuotient(n_cells);
+}
+
+template <class Diagram>
+double SizeNewton<Diagram>::excess(const Eigen::VectorXd& sizes, const Eigen::VectorXd& targets,
+                                   double tolerance) const {
+    return ((sizes - targets).array().abs() / (tolerance * targets.array()).max(roundings_.array()))
+        .maxCoeff();
+}
 
 /// Chooses the weights at which the iteration begins.
 template <class Diagram>
@@ -66,11 +92,13 @@ void SizeNewton<Diagram>::begin(double least_target) {
 template <class Diagram>
 typename SizeNewton<Diagram>::Outcome SizeNewton<Diagram>::search(const Eigen::VectorXd& targets,
                                                                   const Eigen::VectorXd& direction,
-                                                                  double shortest,
+                                                                  double tolerance, double shortest,
                                                                   double least_size,
                                                                   SizeFigures& figures) {
     const double error = (targets - here_.sizes()).norm();
-    const bool near = error < detail::kRounding * targets.norm();
+    const bool near = error < std::max(detail::kRounding * targets.norm(),
+                                       detail::kPerRounding * roundings_.norm());
+    const double here = near ? excess(here_.sizes(), targets, tolerance) : 0;
     for (double t = std::min(1.0, detail::kLonger * last_step_); t >= shortest; t /= 2) {
         trial_.start(here_);
         Eigen::VectorXd weights = here_.weights() + t * direction;
@@ -78,9 +106,9 @@ typename SizeNewton<Diagram>::Outcome SizeNewton<Diagram>::search(const Eigen::V
         ++figures.trials;
         if (!trial_.set_weights(std::move(weights))) continue;
         if (!(trial_.sizes().minCoeff() >= least_size)) continue;
-        const bool lower = near ? detail::largest_error(trial_.sizes(), targets) <=
-                                      detail::largest_error(here_.sizes(), targets) / 2
-                                : (targets - trial_.sizes()).norm() <= (1 - t / 2) * error;
+        const bool lower =
+            near ? excess(trial_.sizes(), targets, tolerance) <= std::max(1.0, (1 - t / 2) * here)
+                 : (targets - trial_.sizes()).norm() <= (1 - t / 2) * error;
         if (lower) {
             std::swap(here_, trial_);
             last_step_ = t;
@@ -97,7 +125,10 @@ bool SizeNewton<Diagram>::step(const Eigen::VectorXd& targets, double tolerance,
                                SizeFigures& figures) {
     const Eigen::VectorXd error = targets - here_.sizes();
     const Eigen::VectorXd error_of_orbits = orbits_.sums(error);
-    LaplacianSolver solver(graph(), Diagram::kAggregation);
+    const CellGraph cells = graph();
+    roundings_ = detail::kUsualRounding * orbits_.spread(orbit_roundings(cells));
+    if (excess(here_.sizes(), targets, tolerance) <= 1) return false;
+    LaplacianSolver solver(cells, Diagram::kAggregation);
     Eigen::VectorXd direction;
     const double least_error = tolerance * targets.minCoeff() * std::sqrt(double(targets.size()));
     double accuracy = std::max(detail::kPerError * error.norm() / targets.norm(),
@@ -107,27 +138,12 @@ bool SizeNewton<Diagram>::step(const Eigen::VectorXd& targets, double tolerance,
         figures.products +=
             solver.solve(error_of_orbits, std::max(accuracy, detail::kTightest), direction);
         const double shortest = tightest ? detail::kShortestStep : detail::kShortForApproximate;
+        // What looks like rounding may be the error of the solution.
         const Outcome outcome =
-            search(targets, orbits_.spread(direction), shortest, least_size, figures);
+            search(targets, orbits_.spread(direction), tolerance, shortest, least_size, figures);
         if (outcome == Outcome::kAccepted) return true;
-        if (outcome == Outcome::kRounding || tightest) return false;
+        if (tightest) return false;
     }
-}
-
-/// See SizeFigures::rounding.
-template <class Diagram>
-double SizeNewton<Diagram>::rounding(const Eigen::VectorXd& targets) const {
-    const CellGraph cells = graph();
-    double largest = 0;
-    for (int s = 0; s < cells.n_rows(); ++s) {
-        double sum = 0;
-        for (int k = cells.row_begin[s]; k < cells.row_begin[s + 1]; ++k) {
-            sum += cells.conductance[k];
-        }
-        largest = std::max(largest, sum);
-    }
-    return Diagram::kSizeRounding * weights().cwiseAbs().maxCoeff() * largest /
-           orbits_.sums(targets).minCoeff();
 }
 
 template <class Diagram>
@@ -146,8 +162,10 @@ SizeFigures SizeNewton<Diagram>::solve(const Eigen::VectorXd& targets, double to
         if (!step(targets, tolerance, least_size, figures)) break;
         ++figures.newton_steps;
     }
-    figures.rounding = rounding(targets);
-    figures.converged = figures.largest_relative_error <= figures.rounding;
+    const double most = rounding();
+    figures.rounding = most / targets.minCoeff();
+    figures.converged =
+        ((sizes() - targets).array().abs() <= (tolerance * targets.array()).max(most)).all();
     return figures;
 }
 

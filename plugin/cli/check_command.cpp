@@ -141,8 +141,8 @@ void add_check_options(CLI::App& app, CheckOptions& options) {
         ->type_name("FILE[:COLUMN]");
     app.add_option("--volumes", options.volumes,
                    "in space, prove as well that the cells have the volumes of a file as\n"
-                   "`pcvt mesh --volumes` takes it, within 1e-9 of the mean (1e-8 and 1e-7\n"
-                   "above 20,000 and 200,000 cells) or what rounding changes")
+                   "`pcvt mesh --volumes` takes it, within 1e-9 of the mean or of their own\n"
+                   "(1e-8 and 1e-7 above 20,000 and 200,000 cells), or what rounding changes")
         ->type_name("FILE[:COLUMN]");
     app.add_option("--inclusions", options.inclusions,
                    "prove as well that no cell crosses the outline of a shape of\n"

@@ -65,6 +65,7 @@ class VolumeRun {
     }
     const SizeFigures& figures() const { return figures_; }
     double largest_error() const { return largest_error_; }
+    double rounding() const { return rounding_; }
     const PowerDiagram& diagram() const { return newton_.diagram(); }
 
    private:
@@ -75,6 +76,7 @@ class VolumeRun {
         }
         return ordered;
     }
+    SizeFigures solve(const Eigen::VectorXd& targets, double tolerance);
     RunStatistics measure(const Eigen::VectorXd& targets, int step, double tolerance);
     bool report(const RunStatistics& now) const;
     bool move();
@@ -88,18 +90,31 @@ class VolumeRun {
     Energy cells_;
     SizeFigures figures_;
     double largest_error_ = 0;
+    double rounding_ = 0;
 };
 
-/// Finds the weights at the present position, and the figures of the cells.
-RunStatistics VolumeRun::measure(const Eigen::VectorXd& targets, int step, double tolerance) {
+/// Finds the weights at the present position.
+SizeFigures VolumeRun::solve(const Eigen::VectorXd& targets, double tolerance) {
     const SizeFigures now = newton_.solve(targets, tolerance, options_.newton_progress);
-    figures_.largest_relative_error = now.largest_relative_error;
-    figures_.rounding = now.rounding;
-    largest_error_ = (newton_.sizes() - targets).cwiseAbs().maxCoeff() / targets.mean();
-    figures_.converged = now.converged || largest_error_ <= tolerance;
     figures_.newton_steps += now.newton_steps;
     figures_.products += now.products;
     figures_.trials += now.trials;
+    largest_error_ = (newton_.sizes() - targets).cwiseAbs().maxCoeff() / targets.mean();
+    return now;
+}
+
+/// Finds the weights at the present position, and the figures of the cells.
+RunStatistics VolumeRun::measure(const Eigen::VectorXd& targets, int step, double tolerance) {
+    SizeFigures now = solve(targets, tolerance);
+    // Cells larger than the mean need a smaller relative error.
+    const bool is_last = tolerance < kPassingTolerance;
+    if (is_last && now.largest_relative_error <= tolerance && largest_error_ > tolerance) {
+        now = solve(targets, tolerance * targets.mean() / targets.maxCoeff());
+    }
+    figures_.largest_relative_error = now.largest_relative_error;
+    figures_.rounding = now.rounding;
+    rounding_ = largest_error_ <= tolerance ? 0 : newton_.rounding() / targets.mean();
+    figures_.converged = now.converged || largest_error_ <= std::max(tolerance, rounding_);
     measure_cells(newton_.diagram().regular(), workers_, cells_);
     const auto [largest, rms] =
         residuals(cells_.gradient, cells_.mass, moving_.spacing(), workers_);
@@ -195,6 +210,7 @@ VolumeCvtResult compute_volume_cvt(const Lattice& lattice, const Points& points,
             .run = statistics,
             .volumes = run.figures(),
             .largest_error = run.largest_error(),
+            .rounding = run.rounding(),
             .counts = run.diagram().counts(),
             .n_rebuilds = n_rebuilds};
 }

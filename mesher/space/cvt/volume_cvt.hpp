@@ -9,8 +9,8 @@
 
 namespace pcvt::space {
 
-/// |V_i - v_i| <= volume_tolerance(n) V / n at the end of a run with n sites, unless the rounding
-/// of weights prevents it: SizeFigures::rounding. Nearly always the error is also below
+/// |V_i - v_i| <= volume_tolerance(n) V / n at the end of a run with n sites, or the rounding of
+/// weights (VolumeCvtResult::rounding), whichever is larger. Nearly always the error is also below
 /// volume_tolerance(n) v_i.
 inline double volume_tolerance(int n_sites) {
     return n_sites <= 20'000 ? 1e-10 : (n_sites <= 200'000 ? 1e-9 : 1e-8);
@@ -47,6 +47,9 @@ struct VolumeCvtResult {
     SizeFigures volumes;
     /// max |V_i - v_i| over the mean volume.
     double largest_error = 0;
+    /// SizeNewton::rounding() over the mean volume, where largest_error is above
+    /// volume_tolerance(); else 0.
+    double rounding = 0;
     PowerCounts counts;
     /// Builds of the triangulation after the first one.
     int n_rebuilds = 0;
@@ -66,8 +69,8 @@ void require_volumes(const Eigen::VectorXd& volumes, const Lattice& lattice, Eig
 ///     const Eigen::VectorXd& weights = grains.delaunay.weights;
 ///
 /// Laws, tested by number:
-///   (1) The cells have the prescribed volumes to volume_tolerance(n) mean volumes, or to the
-///       rounding of weights.
+///   (1) The cells have the prescribed volumes to volume_tolerance(n) mean volumes, or to
+///       VolumeCvtResult::rounding, whichever is larger.
 ///   (2) The weights sum to zero; equal volumes on a lattice give equal weights.
 ///   (3) Every bit is the same for any number of threads.
 ///   (4) With by_rank, volumes are a permutation of those given, in the order of the Voronoi cells.

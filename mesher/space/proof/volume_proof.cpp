@@ -95,7 +95,8 @@ VolumeComparison compare_volumes(const StatedPolyhedra& polyhedra, const Eigen::
         checkpoint_each(s);
         const double volume = bodies[s].volume;
         const double error = std::abs(volume - wanted[s]) / mean;
-        const double tolerance = std::max(least, rounding.doubts()[s] / mean);
+        const double tolerance =
+            std::max(least * std::max(1.0, wanted[s] / mean), rounding.doubts()[s] / mean);
         if (worst.cell >= 0 && error * worst.tolerance <= worst.error * tolerance) continue;
         worst = {.cell = s, .volume = volume, .error = error, .tolerance = tolerance};
     }

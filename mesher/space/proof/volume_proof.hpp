@@ -27,8 +27,8 @@ struct VolumeComparison {
     double tolerance;
 };
 
-/// Compares the volumes of polyhedra with target volumes. The tolerance of a cell is `least` mean
-/// volumes, or as much as its volume changes where
+/// Compares the volumes of polyhedra with target volumes. The tolerance of a cell is `least` times
+/// the mean volume or its own, whichever is larger, or as much as its volume changes where
 ///   - its faces move by the rounding of positions, and by the largest distance of a corner from
 ///   the
 ///     plane between the two sites, which is not zero where near corners were merged;

@@ -65,7 +65,7 @@ def check(path, *, lattice=None, period=None, tolerance=None, cvt=None, areas=No
                 of the image; 0, 0: pcvt chooses
     progress    called with a Progress ten times a second; a true return value cancels
     volumes     the name of a table with one volume a site: cells in space have these volumes, within 1e-9 of the mean
-                (1e-8 and 1e-7 above 20,000 and 200,000 cells) or what rounding changes
+                or of their own (1e-8 and 1e-7 above 20,000 and 200,000 cells), or what rounding changes
 
     Returns a CheckResult, which is false where a file is refuted: damaged, not a periodic tile, or without a property.
     Raises ArgumentError where a file cannot be opened, names no lattice where none is given, or is of a kind that

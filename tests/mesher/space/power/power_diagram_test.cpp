@@ -24,8 +24,9 @@ TEST(SpacePowerDiagram, SlowHalvesTheWayWhereFlipsAreStuck) {
         const MovingTetrahedra moving(
             Sites(testing::kCube, uniform_points(testing::kCube, n, seed)));
         VolumeNewton newton(moving, workers);
+        const double spread = seed == 3 ? 0.6 : 0.35;
         const SizeFigures figures = newton.solve(
-            testing::lognormal_volumes(n, 0.35, moving.frame().volume(), random), 1e-10);
+            testing::lognormal_volumes(n, spread, moving.frame().volume(), random), 1e-10);
         ASSERT_TRUE(figures.converged);
         PowerDiagram jump(moving, workers);
         jump.start();
