@@ -1,5 +1,5 @@
-// The page and the npm package offer no tetrahedra inside of cells, so that the module stays small: this function takes
-// the place of that of mesher/space/grains, which is then not linked.
+// The page and the npm package offer no tetrahedra inside of cells, so that the module stays small:
+// this function takes the place of that of mesher/space/grains, which is then not linked.
 #include "mesher/space/grains/grains.hpp"
 
 namespace pcvt::space {

@@ -11,7 +11,7 @@ namespace {
 
 /// Edges below this part of h are removed from Voronoi cells: nobody sees them, and each would take
 /// layers of ever smaller tetrahedra.
-constexpr double kShortGrainEdgeInSpace = 1e-3;
+constexpr double kShortGrainEdgeInSpace = 1e-4;
 
 SpaceGrainFigures figures_of(const space::Grains& grains) {
     const space::TetrahedralMesh& mesh = grains.mesh.tetrahedra;
