@@ -32,9 +32,8 @@ namespace pcvt {
 /// L-BFGS minimises P from x = t. In units of 2 s_i its Hessian is near to the identity, so that
 /// the first step is t_i - g_i.
 ///
-/// `Pass` evaluates a moving triangulation `Pass::Moving` as in CvtObjective, `Diagram` is its
-/// power diagram as in SizeNewton, and `Cells` the integrals over its cells, energy, gradient and
-/// mass.
+/// `Pass` evaluates a moving triangulation `Pass::Moving` as in CvtObjective, and `Diagram` is its
+/// power diagram as in SizeNewton.
 template <class Pass, class Diagram>
 class CentroidObjective final : public Objective {
    public:

@@ -11,7 +11,7 @@ namespace {
 
 /// Edges below this part of h are removed from Voronoi cells: nobody sees them, and each would take
 /// layers of ever smaller tetrahedra.
-constexpr double kShortGrainEdgeInSpace = 1e-3;
+constexpr double kShortGrainEdgeInSpace = 1e-4;
 
 SpaceGrainFigures figures_of(const space::Grains& grains) {
     const space::TetrahedralMesh& mesh = grains.mesh.tetrahedra;
@@ -39,9 +39,10 @@ SpaceGrains build_space_grains(const Job& job, const space::Tessellation& cells,
                                 ? job.tile.short_edges
                                 : std::max(job.tile.short_edges, kShortGrainEdgeInSpace);
     const space::CellComplex complex = without_short_edges(cells.complex(), shortest);
+    const int threads = job.run.n_threads;
     space::Grains grains = mesh_grains(cells.sites(), complex,
                                        {.size = job.tile.grain_size,
-                                        .n_threads = job.run.n_threads,
+                                        .n_threads = threads,
                                         .progress = [&](double part) { monitor.advance(part); }},
                                        job.in_space().origin);
     const SpaceGrainFigures figures = figures_of(grains);

@@ -193,14 +193,12 @@ void CellTetrahedra::link_sides() {
     }
 }
 
-void CellTetrahedra::take_out(std::span<const int> old, const HullChange& hull) {
+void CellTetrahedra::replace(std::span<const int> old, std::span<const FourCorners> fresh,
+                             const HullChange& hull) {
     sides_.clear();
     collect_boundary(old, hull);
     for (const int t : old) alive_[t] = 0;
     free_.insert(free_.end(), old.begin(), old.end());
-}
-
-void CellTetrahedra::put_in(std::span<const FourCorners> fresh) {
     fresh_.clear();
     for (const FourCorners& corners : fresh) {
         const int t = add(corners);
@@ -210,33 +208,11 @@ void CellTetrahedra::put_in(std::span<const FourCorners> fresh) {
     link_sides();
 }
 
-void CellTetrahedra::replace(std::span<const int> old, std::span<const FourCorners> fresh,
-                             const HullChange& hull) {
-    take_out(old, hull);
-    put_in(fresh);
-}
-
-void CellTetrahedra::restore(std::span<const int> old, std::span<const FourCorners> fresh,
-                             std::span<const int> numbers) {
-    take_out(old, {});
-    std::erase_if(free_, [&](int t) {
-        return std::find(numbers.begin(), numbers.end(), t) != numbers.end();
-    });
-    free_.insert(free_.end(), numbers.rbegin(), numbers.rend());
-    put_in(fresh);
-}
-
 int CellTetrahedra::add_vertex(const Vec3& at, double size) {
     points_.push_back(at);
     sizes_.push_back(size);
     one_at_.push_back(-1);
     return n_vertices() - 1;
-}
-
-void CellTetrahedra::drop_last_vertex() {
-    points_.pop_back();
-    sizes_.pop_back();
-    one_at_.pop_back();
 }
 
 void CellTetrahedra::update_quality(std::span<const int> tetrahedra) {

@@ -79,15 +79,10 @@ class CellTetrahedra {
     /// @throws InternalError  the boundaries differ.
     void replace(std::span<const int> old, std::span<const FourCorners> fresh,
                  const HullChange& hull = {});
-    /// As replace(), and gives the fresh tetrahedra numbers that they had before.
-    void restore(std::span<const int> old, std::span<const FourCorners> fresh,
-                 std::span<const int> numbers);
     /// The numbers of the tetrahedra that the last replace() added.
     const std::vector<int>& fresh() const { return fresh_; }
     int add_vertex(const Vec3& at, double size);
     void set_size(int v, double size) { sizes_[v] = size; }
-    /// Takes back the last add_vertex(), if no tetrahedron has it as a corner.
-    void drop_last_vertex();
     void forget_vertex(int v) { one_at_[v] = -1; }
     void set_point(int v, const Vec3& at) { points_[v] = at; }
     void update_quality(std::span<const int> tetrahedra);
@@ -107,8 +102,6 @@ class CellTetrahedra {
     static Side side(const ThreeCorners& triangle, int t, int k);
     int add(const FourCorners& corners);
     void collect_boundary(std::span<const int> old, const HullChange& hull);
-    void take_out(std::span<const int> old, const HullChange& hull);
-    void put_in(std::span<const FourCorners> fresh);
     void link_sides();
     double smallest_sine_of(const FourCorners& c) const {
         return smallest_sine(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]);

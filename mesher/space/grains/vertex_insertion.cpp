@@ -6,9 +6,8 @@
 namespace pcvt::space {
 namespace {
 
-/// The smallest sine must rise by this much.
+/// The smallest sine of a star must rise by this much.
 constexpr double kContractionGain = 1e-6;
-constexpr double kInsertionGain = 0.01;
 /// A cavity grows until its worst tetrahedron has this many times the sine before, and more.
 constexpr double kGrowth = 1.15;
 constexpr double kGrowthMore = 0.02;
@@ -188,38 +187,26 @@ bool VertexInsertion::find_boundary(int v) {
 }
 
 /// Moves a new vertex, and gives it a size.
-/// @returns the smallest sine round it.
-double VertexInsertion::finish(int v) {
+void VertexInsertion::finish(int v) {
     for (int k = 0; k < kMostMoves && moves_.climb(v, kUnlimited); ++k) {
     }
-    cell_.find_star(v, star_);
-    double worst = kUnlimited;
-    for (const int t : star_) worst = std::min(worst, cell_.quality(t));
     double size = kUnlimited;
     for (const int w : vertices_) {
         size =
             std::min(size, cell_.size(w) + kSizeGrowth * distance(cell_.point(w), cell_.point(v)));
     }
     cell_.set_size(v, size);
-    return worst;
 }
 
+/// The sines of the new tetrahedra are above that of t, which is among those that they replace.
 bool VertexInsertion::insert_at(int t, const Vec3& x, const std::vector<int>& holders) {
     inside_ = holders;
     const double least = std::max(kGrowth * cell_.quality(t), 0.0) + kGrowthMore;
     if (!grow(x, least) || !find_boundary(cell_.n_vertices())) return false;
-    double before = kUnlimited;
-    before_.clear();
-    for (const int s : inside_) {
-        before = std::min(before, cell_.quality(s));
-        before_.push_back(cell_.corners(s));
-    }
     const int v = cell_.add_vertex(x, 0);
     cell_.replace(inside_, fresh_);
-    if (finish(v) > before + kInsertionGain) return true;
-    cell_.restore(star_, before_, inside_);
-    cell_.drop_last_vertex();
-    return false;
+    finish(v);
+    return true;
 }
 
 }  // namespace pcvt::space

@@ -36,7 +36,7 @@ class VertexInsertion {
     void add_to_front(const Vec3& x, int t);
     bool grow(const Vec3& x, double least);
     bool find_boundary(int v);
-    double finish(int v);
+    void finish(int v);
 
     CellTetrahedra& cell_;
     VertexMoves& moves_;
@@ -45,7 +45,6 @@ class VertexInsertion {
     std::vector<Side> front_;
     std::vector<int> vertices_;
     std::vector<FourCorners> fresh_;
-    std::vector<FourCorners> before_;
 };
 
 }  // namespace pcvt::space
