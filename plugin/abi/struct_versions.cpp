@@ -20,8 +20,7 @@ void throw_unknown_fields(const char* name) {
 
 bool uses_reserved_fields(const pcvt_options& options) {
     return options.reserved != 0 || options.reserved2 != 0 || options.reserved3 != 0 ||
-           options.reserved4 != 0 || options.reserved5 != 0 || options.reserved6 != 0 ||
-           options.reserved7 != 0;
+           options.reserved4 != 0 || options.reserved5 != 0 || options.reserved6 != 0;
 }
 
 bool uses_reserved_fields(const pcvt_write_options& options) { return options.reserved2 != 0; }

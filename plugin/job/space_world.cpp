@@ -271,7 +271,7 @@ SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobF
     tile.mesh.metric = computation.cells.metric();
     tile.weights = delaunay.weights;
     tile.sites = are_plain ? sites_in_cells(sites, tile.mesh) : sites_of_cells(complex, images);
-    tile.materials = repeated_materials(computation.materials, job.tile.repeat);
+    tile.materials = space::repeated_materials(computation.materials, job.tile.repeat);
     monitor.begin(Phase::kProving, "proving the cells");
     try {
         built.figures.proof = prove_polyhedra(tile.mesh);

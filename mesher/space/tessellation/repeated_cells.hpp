@@ -15,7 +15,7 @@ namespace pcvt::space {
 ///     const PeriodicDelaunay eight = repeated_cells(cells.delaunay, {2, 2, 2});
 PeriodicDelaunay repeated_cells(const PeriodicDelaunay& delaunay, const Repetition& repeat);
 
-/// The same with the elongation of the cells; without figures of the run.
+/// The same with the elongation of the cells and the figures of their run.
 Tessellation repeated_cells(const Tessellation& cells, const Repetition& repeat);
 
 /// The materials of the cells of several periods.
