@@ -185,16 +185,16 @@ STUDIES = {
 
 # Each option of the plane with a value that the plane accepts.
 PLANE_OPTIONS = (
-    "--density 1", "--density-range 0.1,1", "--symmetry p4", "--repeat 2x1", "--outline box", "--outline whole",
-    "--areas lognormal:0.3", "--areas equal", "--aspect 2:0", "--walls x", "--wall-cells half",
+    "--density 1", "--density-range 0.1,1", "--symmetry p4", "--outline box", "--outline whole",
+    "--areas lognormal:0.3", "--areas equal", "--walls x", "--wall-cells half",
     "--budget 5", "--float32",
-    "--inclusions s.txt", "--fibres 0.2,3", "--hole fibre", "--fixed f.txt", "--retry 3", "--size 0.1", "--per-edge 2",
-    "--order 2", "--glb-nodes one", "--pixels 64", "--cut 100", "--background none", "--colour size", "--element CPS",
+    "--inclusions s.txt", "--fibres 0.2,3", "--hole fibre", "--fixed f.txt", "--retry 3", "--per-edge 2",
+    "--order 2", "--glb-nodes one", "--pixels 64", "--cut 100", "--background none", "--element CPS",
     "--job elastic", "--thickness 0.1")
 ERRORS = {
     "space-errors-options": [f"2: mesh --sites 8 {CUBE} {option}" for option in PLANE_OPTIONS],
     "space-errors-choices": [f"2: mesh --sites 8 {CUBE} {option}" for option in (
-        "--start best", "--start nowhere", "--solver newton", "--solver magic", "--mesh grains -o t.vtu",
+        "--start best", "--start nowhere", "--solver newton", "--solver magic",
         "--mesh cube -o t.vtu", "--mesh voronoi --mesh delaunay -o t.vtu", "--mesh delaunay -o t.vtu -o t.foam",
         "--mesh delaunay -o t.obj", "--mesh voronoi -o t.msh", "--surface cells", "--surface cells -o t.vtu",
         "--surface boundry -o t.obj")] + ["2: mesh --sites 8 -o t.obj --surface cells"],

@@ -123,8 +123,8 @@ void add_cell_options(CLI::App& app, CellOptions& options, Job& job) {
     add("--volumes", options.volumes, "equal|lognormal:S|gamma:S|MIXTURE|FILE[:COLUMN]",
         "in space, cells of prescribed volumes, as --areas: a law of the\n"
         "equivalent diameter or a mixture, whose largest volumes begin at the\n"
-        "largest cells, or a table of volumes, diameters or radii; --max-iterations K steps\n"
-        "make the grains round [5]");
+        "largest cells, or a table of volumes, diameters or radii;\n"
+        "--max-iterations K steps make the grains round [5]");
     add("--weights", options.weights, "FILE[:COLUMN]",
         "the power cells (Laguerre cells) of the sites of --input: one weight a\n"
         "line, a length squared, or below the header radius a radius; needs\n"

@@ -73,21 +73,24 @@ std::vector<Word> words_of_option(const OptionWords& option) {
     return words;
 }
 
+/// "; best: plane only" for the words that a dimension lacks, or nothing.
+std::string mark_words(const ChoiceRow* choice, bool Word::*in_dimension, const char* only) {
+    if (choice == nullptr) return "";
+    std::string words;
+    for (const Word& word : choice->words()) {
+        if (!(word.*in_dimension)) words += (words.empty() ? "; " : ", ") + word.word;
+    }
+    return words.empty() ? words : words + ": " + only;
+}
+
 /// "; plane only", "; best: plane only", or nothing.
 std::string mark(const std::string& option) {
     const FeatureRow* const feature = find_option(option);
     if (feature != nullptr && !feature->in_space) return "; plane only";
     if (feature != nullptr && !feature->in_plane) return "; space only";
-    std::string words;
     const ChoiceRow* const choice = find_choice(option);
-    for (const Word& word : choice == nullptr ? std::vector<Word>() : choice->words()) {
-        if (!word.in_space) words += (words.empty() ? "; " : ", ") + word.word;
-    }
-    if (!words.empty()) words += ": plane only";
-    for (const Word& word : choice == nullptr ? std::vector<Word>() : choice->words()) {
-        if (!word.in_plane) words += "; " + word.word + ": space only";
-    }
-    return words;
+    return mark_words(choice, &Word::in_space, "plane only") +
+           mark_words(choice, &Word::in_plane, "space only");
 }
 
 /// The extensions of the formats whose files take an option; nothing for an option of the run.

@@ -35,7 +35,8 @@ const std::array kNumberOptions{
               .field = "grain_size",
               .group = kOutput,
               .form = "H",
-              .help = "length of the edges of grains, of triangles or in space tetrahedra [h / 3]",
+              .help = "length of the edges of grains [h / 3]; in space of tetrahedra\n"
+                      "[a third of the cube root of the volume of each cell]",
               .of = [](Job& job) -> double& { return job.tile.grain_size; }},
     NumberRow{.option = "--per-edge",
               .field = "grain_per_edge",
