@@ -163,6 +163,15 @@ def weight_theme(job):
     job.leave_out("nc")
 
 
+def centroid_theme(job):
+    """Measured grains: centroids and sizes, which rarely belong to cells."""
+    text, job.n_sites = site_text(job.draw, job.dimension, job.unit, not job.is_sound)
+    job.add("--centroids", job.input("grains.txt", text), "--max-iterations", job.draw.choice((0, 1, 5, 20)))
+    job.add("--areas" if job.dimension == 2 else "--volumes",
+            job.input("sizes.txt", area_text(job.draw, job.n_sites, not job.is_sound)))
+    job.leave_out("nc", "msh", "om")
+
+
 def aspect_theme(job):
     any_sites(job)
     if job.often(0.3):
@@ -229,7 +238,7 @@ def best_theme(job):
 
 
 PLANE_THEMES = (plain_theme,) * 3 + (density_theme, area_theme, area_theme, weight_theme, aspect_theme, wall_theme, wall_theme,
-                                     symmetry_theme, inclusion_theme, inclusion_theme, fixed_theme, best_theme)
+                                     symmetry_theme, inclusion_theme, inclusion_theme, fixed_theme, best_theme, centroid_theme)
 
 
 def plane_meshes(job):
@@ -322,7 +331,7 @@ def space_volumes(job):
         law = job.input("volumes.txt", area_text(draw, job.n_sites, not job.is_sound))
     job.add("--sites", job.n_sites, "--seed", draw.randrange(1000))
     job.add("--volumes", law, "--max-iterations", draw.choice((0, 1, 5)))
-    job.leave_out("foam", "msh", "obj", "ply", "glb", "om")
+    job.leave_out("msh", "om")
 
 
 def space_cells(job):
@@ -330,8 +339,8 @@ def space_cells(job):
     solver(job, ("lbfgs", "lloyd"))
     if job.often(0.2) and "--input" not in job.words:
         job.add("--start", job.pick(("random", "coarse", "lattice"), ("best",)))
-    if job.often(0.15):
-        job.add("--mesh", job.pick(("delaunay",), ("voronoi", "grains")))
+    if job.often(0.2):
+        job.add("--mesh", job.pick(("delaunay", "grains"), ("voronoi",)))
         job.leave_out("foam", "obj", "ply", "glb", "om", "svg", "png")
     elif job.often(0.15):
         job.add("--short-edges", job.pick((0.02, 0.1), (0.3,)))
@@ -343,14 +352,24 @@ def space_cells(job):
 def space_options(job):
     draw = job.draw
     space_lattice(job)
-    draw.choice((space_volumes, space_cells, space_cells))(job)
+    draw.choice((space_volumes, space_cells, space_cells, centroid_theme))(job)
+    if job.often(0.15) and not {"--short-edges", "--centroids"}.intersection(job.words):
+        job.add("--aspect", job.pick(("3", "0.2,1,1,0", "10,0.3,-1,2"), ("2,0,0,0", "1e9", "2,30")))
+        job.leave_out("foam", "obj", "ply", "glb", "om")
+    if job.often(0.15):
+        job.add("--repeat", job.pick(("2x1x1", "1x2x2"), ("2x1", "0x1x1", "9999x9999x9999")))
     if job.often(0.2):
         job.add("--origin", job.pick(("0.3,-2,1", "1e3,0,-7"), ("0,0", "auto", "1e12,0,0")))
     if job.often(0.3):
         job.add("--phases", job.pick(("a:0.5,b:0.5", "a:0.2,b:0.3,c:0.5"), ("a:1.5", "a")), "--cells", "cells.csv")
         if job.often(0.5):
-            job.add("--orientations", "random")
+            word = draw.choice(("random", "angles.txt"))
+            if word != "random":
+                job.input(word, orientation_text(draw, 3 * job.n_sites, not job.is_sound))
+            job.add("--orientations", word)
     chosen = outputs(job)
+    if chosen.intersection(("obj", "ply", "glb", "svg", "png")) and job.often(0.3):
+        job.add("--colour", job.pick(("faces", "size", "cells"), ("phase", "orientation", "sides", "red")))
     if chosen.intersection(("obj", "ply", "glb")) and job.often(0.5):
         job.add("--surface", job.pick(("cells", "boundary"), ("both",)))
     if "vti" in chosen and job.often(0.5):

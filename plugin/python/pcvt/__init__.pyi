@@ -292,6 +292,7 @@ def check(
     density: Optional[_Path] = None,
     density_range: Tuple[float, float] = (0, 0),
     progress: Optional[_Watch] = None,
+    volumes: Optional[_Path] = None,
 ) -> CheckResult: ...
 def study(
     name: str,

@@ -5,8 +5,8 @@ leaves no hidden file behind, and writes all of its files or none, but for files
 the tile. `pcvt check` accepts the files.
 
 By hand, in this folder:
-    PYTHONPATH=../.. ./cli_campaign_test.py PCVT --jobs 3000 --seed 1 --dimension 2
-    PYTHONPATH=../.. ./cli_campaign_test.py PCVT --only 17 --seed 1 --dimension 2      prints one run
+    PYTHONPATH=../.. python3 cli_campaign_test.py PCVT --jobs 3000 --seed 1 --dimension 2
+    PYTHONPATH=../.. python3 cli_campaign_test.py PCVT --only 17 --seed 1 --dimension 2      prints one run
 """
 
 import argparse
