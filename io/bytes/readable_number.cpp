@@ -7,10 +7,10 @@
 namespace pcvt {
 
 std::string figure(double value) {
-    constexpr int kDigits = 6;
+    constexpr int kSignificantDigits = 6;
     std::array<char, 32> text;
     char* const end = write_decimal(text.data(), text.data() + text.size(), value,
-                                    std::chars_format::general, kDigits);
+                                    std::chars_format::general, kSignificantDigits);
     return {text.data(), end};
 }
 

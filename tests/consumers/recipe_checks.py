@@ -259,6 +259,34 @@ def check_space(folder, text):
     require_near(math.log(fall), -1, 0.05, "the logarithm of the fall of the speed")
 
 
+def check_grain_tetrahedra(folder, text):
+    accepted = re.findall(r"^grains\.\w+: a periodic tile of tetrahedra: \d+ in 200 cells", text, re.M)
+    require(len(accepted) == 2, "check does not accept the tetrahedra")
+
+
+def check_texture(folder, text):
+    report = json.loads((folder / "copper.json").read_text())
+    require(report["orientations"]["listed"] == 2, "the orientations are not drawn from the list")
+    require(sum(report["misorientations"]["counts"]) == 600, "not all neighbours are compared")
+
+
+def check_measured_grains(folder, text):
+    report = json.loads((folder / "measured.json").read_text())
+    misfit = report["centroids"]["largest_misfit"]
+    require(0 <= misfit < 1, "the misfit of the centroids is not in the report")
+    require("power cells of 4 sites" in text, "check does not accept the measured grains")
+
+
+def check_elongated(folder, text):
+    require_files(folder, "rolled.vti")
+    require("a periodic tile of polyhedra: 500 cells" in text, "check does not accept the elongated cells")
+
+
+def check_colours_in_space(folder, text):
+    require_files(folder, "crystals.svg", "crystals.obj")
+    require("newmtl ipf_" in (folder / "crystals.mtl").read_text(), "the crystals have no colours")
+
+
 def check_surfaces(folder, text):
     require_files(folder, "cells.svg")
     accepted = re.findall(r"^(?:cells|boundary)\.\w+: (?:surfaces of |the boundary of )?a periodic tile of polyhedra", text, re.M)
@@ -412,6 +440,7 @@ ROWS = {
     ("Grain sizes", "A law of grain sizes"): Row(check_sizes),
     ("Grain sizes", "Laguerre cells of points and radii"): Row(check_laguerre),
     ("Phases and orientations", ""): Row(),
+    ("Phases and orientations", "Textures"): Row(check_texture),
     ("Phases and orientations", "Stresses in a polycrystal"): Row(check_stresses, programs=("ccx",)),
     ("Phases and orientations", "Conductivities of phases by name"): Row(check_conductivities, programs=("gmsh", "getdp")),
     ("Walls", ""): Row(),
@@ -426,11 +455,15 @@ ROWS = {
     ("Space", ""): Row(),
     ("Space", "Polyhedra for OpenFOAM and VTK"): Row(check_space, programs=("icoFoam",)),
     ("Space", "Surfaces and pictures"): Row(check_surfaces),
+    ("Space", "Tetrahedra inside of cells"): Row(check_grain_tetrahedra),
     ("Space", "Space in Python"): Row(check_faces),
     ("Materials in space", ""): Row(),
     ("Materials in space", "Phases, orientations and a table of the cells"): Row(check_space_grains),
     ("Materials in space", "Grain sizes"): Row(check_space_sizes),
+    ("Materials in space", "Measured grains"): Row(check_measured_grains),
+    ("Materials in space", "Elongated cells"): Row(check_elongated),
     ("Materials in space", "Laguerre cells of balls"): Row(check_balls),
+    ("Materials in space", "Colours"): Row(check_colours_in_space),
     ("Materials in space", "Voxels for DAMASK"): Row(check_space_voxels),
     ("Your own data", ""): Row(),
     ("Your own data", "Your own points"): Row(check_own_points),

@@ -184,7 +184,9 @@ TEST(AreaLaw, ImpossibleMixturesAreRefusedInOneLine) {
         {"0.5*equal@1 0.5*equal@2", "SHARE*LAW@MEAN"},
         {"0.5*equal:1@1+0.5*equal@2", "SHARE*LAW@MEAN"},
         {"70%*equal@1+30%*equal@2", "SHARE*LAW@MEAN"}};
-    for (const auto& [text, fault] : faults) {
+    for (const auto& row : faults) {
+        const std::string text = row.first;
+        const std::string fault = row.second;
         EXPECT_TRUE(names_area_law(text)) << text;
         EXPECT_THAT([&] { parse_area_law(text); }, ThrowsMessage<InvalidInput>(HasSubstr(fault)))
             << text;
