@@ -66,6 +66,8 @@ class SiteTree {
     static constexpr int kFarthestImage = 3;
     /// Images are kept that are not nearest by less than this part of the squared distance.
     static constexpr double kBoxRounding = 1e-12;
+    /// Wrapped points lie in the domain up to rounding.
+    static constexpr double kRounding = 1 + 1e-9;
 
     /// The sites of [begin, end) in `sites_`; leaves have no children.
     struct Node {
@@ -94,8 +96,12 @@ class SiteTree {
     std::vector<double> weights_;
     std::vector<SiteId> sites_;
     std::vector<Node> nodes_;
-    /// Those that can bring an image of a point of the domain next to another point of it.
+    /// Those that can bring an image of a point of the domain next to another point of it, short
+    /// ones first.
     std::vector<Point> translations_;
+    std::vector<double> lengths_;
+    /// An upper bound of the distance of two points of the domain.
+    double diameter_ = 0;
 };
 
 template <class Lattice>
@@ -121,6 +127,12 @@ SiteTree<Lattice>::SiteTree(const Lattice& lattice, const Points& points,
     std::stable_sort(
         translations_.begin(), translations_.end(),
         [](const Point& s, const Point& t) { return s.squaredNorm() < t.squaredNorm(); });
+    for (const Point& translation : translations_) lengths_.push_back(translation.norm());
+    for (int signs = 0; signs < 1 << kDimension; ++signs) {
+        Point diagonal;
+        for (int axis = 0; axis < kDimension; ++axis) diagonal[axis] = signs >> axis & 1 ? 1 : -1;
+        diameter_ = std::max(diameter_, kRounding * reduced_.to_position(diagonal).norm());
+    }
     build(0, n_sites());
 }
 
@@ -206,7 +218,12 @@ template <class Lattice>
 typename SiteTree<Lattice>::Image SiteTree<Lattice>::nearest(const Point& p) const {
     const Point q = into_domain(p);
     Image best{-1, Point::Zero(), -std::numeric_limits<double>::infinity()};
-    for (const Point& translation : translations_) visit(0, q - translation, best);
+    for (std::size_t k = 0; k < translations_.size(); ++k) {
+        // Images by this translation, and by longer ones, are at least so far from q.
+        const double gap = lengths_[k] - diameter_;
+        if (gap > 0 && gap * gap - nodes_.front().largest_weight >= best.power_distance()) break;
+        visit(0, q - translations_[k], best);
+    }
     return best;
 }
 
