@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mesher/base/error.hpp"
 #include "mesher/plane/proof/generated_tile.hpp"
 #include "plugin/job/job_checks.hpp"
 
@@ -32,6 +33,11 @@ void for_each_mesh(const Job& job, JobMonitor& monitor, Phase phase, const std::
 
 }  // namespace
 
+std::string unheld_grains(const std::string& fault) {
+    return "doubles do not hold the power cells that were found for these sizes and centroids (" +
+           fault + "); correct the centroids and the sizes, or take fewer iterations";
+}
+
 bool needs_tiles(const Job& job, const std::vector<JobFile>& files) {
     return job.tile.outline == plane::Outline::kBox ||
            has_mesh(job, &plane::MeshKindRow::grain_size) ||
@@ -54,8 +60,14 @@ std::vector<plane::BuiltTile> proved_tiles(const Job& job, const plane::Tessella
         tiles.push_back(build_tile(cells, options));
     });
     cells.drop_cells();
-    for_each_mesh(job, monitor, Phase::kProving, "proving",
-                  [&](std::size_t k) { verify_generated_tile(tiles[k].tile); });
+    for_each_mesh(job, monitor, Phase::kProving, "proving", [&](std::size_t k) {
+        try {
+            verify_generated_tile(tiles[k].tile);
+        } catch (const InternalError& error) {
+            if (job.centroids) throw InvalidInput(unheld_grains(error.what()));
+            throw;
+        }
+    });
     return tiles;
 }
 

@@ -20,6 +20,7 @@
 #include "mesher/space/voxels/voxel_image.hpp"
 #include "plugin/job/job_start.hpp"
 #include "plugin/job/job_tessellation.hpp"
+#include "plugin/job/job_tiles.hpp"
 #include "plugin/job/space_grains.hpp"
 #include "plugin/job/space_start.hpp"
 
@@ -277,6 +278,7 @@ SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobF
         built.figures.proof = prove_polyhedra(tile.mesh);
         prove_cell_sites(tile.mesh, tile.sites, tile.weights);
     } catch (const NotATile& error) {
+        if (job.centroids) throw InvalidInput(unheld_grains(error.what()));
         throw InternalError(std::string("a tile breaks its laws: ") + error.what());
     }
     const space::CellFaces cells(tile.mesh);

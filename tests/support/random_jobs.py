@@ -55,7 +55,7 @@ class JobDraw:
         self.meshes = ["voronoi"]
         self.formats = PLANE_FORMATS if dimension == 2 else SPACE_FORMATS
         # The choices that the theme rules out.
-        self.is_rectangle = self.has_lattice = self.has_phases = False
+        self.is_rectangle = self.has_lattice = self.has_phases = self.is_round = False
         self.origins = "xy"
         units = (19, -19, 37, -37, 55, -55, 61) if dimension == 2 else (12, -12, 36, -36, 41)
         self.unit = 10.0 ** draw.choice((0,) * 40 + (3, -3, 8, -8, *units))
@@ -93,6 +93,7 @@ def plane_lattice(job):
 
 def space_lattice(job):
     kind = job.pick(("cube", "box", "thin", "oblique", "sheared"), ("bad",))
+    job.is_round = kind in ("cube", "box")
     if kind in ("oblique", "sheared"):
         job.leave_out("vti")
     job.add(*space_lattice_option(job.draw, kind, job.unit))
@@ -339,8 +340,10 @@ def space_cells(job):
     solver(job, ("lbfgs", "lloyd"))
     if job.often(0.2) and "--input" not in job.words:
         job.add("--start", job.pick(("random", "coarse", "lattice"), ("best",)))
-    if job.often(0.2):
-        job.add("--mesh", job.pick(("delaunay", "grains"), ("voronoi",)))
+    if job.often(0.15):
+        # Tetrahedra inside of flat cells take minutes.
+        is_small = job.n_sites <= 8 and job.is_round and "--input" not in job.words
+        job.add("--mesh", job.pick(("delaunay", "grains") if is_small else ("delaunay",), ("voronoi",)))
         job.leave_out("foam", "obj", "ply", "glb", "om", "svg", "png")
     elif job.often(0.15):
         job.add("--short-edges", job.pick((0.02, 0.1), (0.3,)))
