@@ -31,7 +31,7 @@ constexpr const char* kWeightsExplanation =
     "The weights of the sites are lengths squared: a cell has the points p with the least\n"
     "|p - site|^2 - weight.\n";
 
-/// The words of a list that are no numbers.
+/// Returns the words of a list that are not numbers.
 std::string statements_of(const SurfaceList& list) {
     std::string text;
     if (list.colouring != Colouring::kFaces) {

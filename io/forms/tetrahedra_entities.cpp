@@ -102,7 +102,7 @@ class TetrahedraDivision {
     }
 
     /// Adds the cells as volumes, in the group of the domain and in one of their own. Their faces
-    /// inside of the tile are no surfaces, so that volumes state no boundary; the points of such a
+    /// inside of the tile are not surfaces, so that volumes state no boundary; the points of such a
     /// face belong to the first of its cells.
     void add_cells(int domain) {
         const int n_cells = mesh_.cell.back() + 1;

@@ -1,4 +1,4 @@
-// What the module leaves out: the page and the package do not offer it.
+// Functions that the module leaves out, because neither the page nor the package offers them.
 
 #include "mesher/base/error.hpp"
 #include "mesher/plane/cvt/centroid_cells.hpp"
@@ -27,7 +27,8 @@ space::CentroidCells space::fit_volumes_and_centroids(const Lattice& /*lattice*/
 }
 
 space::Grains space::mesh_grains(const Sites& /*sites*/, const CellComplex& /*complex*/,
-                                 const GrainChoices& /*choices*/, const Vec3& /*origin*/) {
+                                 const GrainChoices& /*choices*/, Workers& /*workers*/,
+                                 const Vec3& /*origin*/) {
     throw InvalidInput("this module has no tetrahedra inside of cells; take the command");
 }
 

@@ -74,18 +74,20 @@ void append_duplicates(JsonWriter& json, const Job& job) {
     });
 }
 
+void append_space_grains(JsonWriter& json, const RunSummary& summary) {
+    if (!summary.space_grains) return;
+    const SpaceGrainFigures& grains = *summary.space_grains;
+    json.object("grains", [&] {
+        json.member("tetrahedra", grains.n_tetrahedra);
+        json.member("points", grains.n_points);
+        json.member("smallest_angle", grains.smallest_angle);
+        json.member("largest_angle", grains.largest_angle);
+        json.member("sharp_features", grains.n_sharp);
+        json.member("smallest_angle_at_them", grains.smallest_sharp_angle);
+    });
+}
+
 void append_grains(JsonWriter& json, const RunSummary& summary) {
-    if (summary.space_grains) {
-        json.object("grains", [&] {
-            const SpaceGrainFigures& grains = *summary.space_grains;
-            json.member("tetrahedra", grains.n_tetrahedra);
-            json.member("points", grains.n_points);
-            json.member("smallest_angle", grains.smallest_angle);
-            json.member("largest_angle", grains.largest_angle);
-            json.member("sharp_features", grains.n_sharp);
-            json.member("smallest_angle_at_them", grains.smallest_sharp_angle);
-        });
-    }
     const auto tile = std::find_if(summary.tiles.begin(), summary.tiles.end(),
                                    [](const auto& t) { return t.grains.has_value(); });
     if (tile == summary.tiles.end()) return;
@@ -263,6 +265,7 @@ void append_choices(JsonWriter& json, const Job& job, const RunSummary& summary)
             best_of_tiles(summary, &plane::TileFigures::box_shortest_edge, shortest)) {
         json.member("box_shortest_edge", *edge);
     }
+    append_space_grains(json, summary);
     append_grains(json, summary);
     append_density(json, job, summary);
     append_sizes(json, job, summary);

@@ -39,12 +39,11 @@ SpaceGrains build_space_grains(const Job& job, const space::Tessellation& cells,
                                 ? job.tile.short_edges
                                 : std::max(job.tile.short_edges, kShortGrainEdgeInSpace);
     const space::CellComplex complex = without_short_edges(cells.complex(), shortest);
-    const int threads = job.run.n_threads;
-    space::Grains grains = mesh_grains(cells.sites(), complex,
-                                       {.size = job.tile.grain_size,
-                                        .n_threads = threads,
-                                        .progress = [&](double part) { monitor.advance(part); }},
-                                       job.in_space().origin);
+    Workers workers(job.run.n_threads);
+    space::Grains grains = mesh_grains(
+        cells.sites(), complex,
+        {.size = job.tile.grain_size, .progress = [&](double part) { monitor.advance(part); }},
+        workers, job.in_space().origin);
     const SpaceGrainFigures figures = figures_of(grains);
     return {.tetrahedra = std::move(grains.mesh.tetrahedra), .figures = figures};
 }

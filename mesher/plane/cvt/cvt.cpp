@@ -114,7 +114,7 @@ RunStatistics minimize(MovingDelaunay& delaunay, const CvtOptions& options,
     const int n_tasks = delaunay.n_sites() / kSitesPerTask + 1;
     Workers workers(std::min(options.run.n_threads, n_tasks));
     const SiteConstraints constraints = constraints_of(delaunay, options);
-    // A guard knows only the positions of all sites.
+    // A guard needs the positions of all sites.
     const bool relaxes = options.relaxes_active_sites && options.run.solver == Solver::kLbfgs &&
                          options.guard == nullptr;
     UniformObjective all(delaunay, workers, constraints, relaxes);

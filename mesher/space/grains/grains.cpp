@@ -30,8 +30,8 @@ std::vector<double> cell_sizes(const CellComplex& complex, double size) {
 
 class GrainFilling {
    public:
-    GrainFilling(const CellComplex& complex, const GrainChoices& choices)
-        : complex_(complex), choices_(choices), workers_(choices.n_threads) {}
+    GrainFilling(const CellComplex& complex, const GrainChoices& choices, Workers& workers)
+        : complex_(complex), choices_(choices), workers_(workers) {}
 
     void run() {
         sizes_ = cell_sizes(complex_, choices_.size);
@@ -106,7 +106,7 @@ class GrainFilling {
 
     const CellComplex& complex_;
     const GrainChoices& choices_;
-    mutable Workers workers_;
+    Workers& workers_;
     std::vector<double> sizes_;
     GrainSurface surface_;
     std::vector<CellHull> hulls_;
@@ -116,8 +116,8 @@ class GrainFilling {
 }  // namespace
 
 Grains mesh_grains(const Sites& sites, const CellComplex& complex, const GrainChoices& choices,
-                   const Vec3& origin) {
-    GrainFilling filling(complex, choices);
+                   Workers& workers, const Vec3& origin) {
+    GrainFilling filling(complex, choices, workers);
     filling.run();
     return filling.result(sites, origin);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/base/error.hpp"
+#include "mesher/base/workers.hpp"
 #include "mesher/space/grains/grain_mesh.hpp"
 #include "mesher/space/grains/sharp_features.hpp"
 
@@ -17,8 +18,6 @@ struct GrainChoices {
     double size = 0;
     /// Rounds in which the faces move together with the tetrahedra on both sides.
     int n_rounds = 2;
-    /// At least 1; the bytes of the result do not depend on it.
-    int n_threads = 1;
     /// Called with the part of the work that is done, in [0, 1]; may be empty.
     std::function<void(double)> progress = {};
 };
@@ -54,7 +53,7 @@ class FoldedCell : public LimitExceeded {
 /// together (shared_moves.hpp).
 ///
 /// Example usage:
-///     const Grains grains = mesh_grains(sites, complex, {.size = sites.spacing() / 3});
+///     const Grains grains = mesh_grains(sites, complex, {.size = sites.spacing() / 3}, workers);
 ///     const TetrahedralProof proof = prove_tetrahedra(grains.mesh.tetrahedra);
 ///
 /// Laws, tested by number:
@@ -68,6 +67,6 @@ class FoldedCell : public LimitExceeded {
 /// @param origin   the corner of the domain, length units.
 /// @throws FoldedCell
 Grains mesh_grains(const Sites& sites, const CellComplex& complex, const GrainChoices& choices,
-                   const Vec3& origin = Vec3::Zero());
+                   Workers& workers, const Vec3& origin = Vec3::Zero());
 
 }  // namespace pcvt::space

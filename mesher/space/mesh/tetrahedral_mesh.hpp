@@ -32,7 +32,7 @@ struct TetrahedralMesh {
     std::vector<std::array<int, 4>> tetrahedra = {};
     /// The site of the cell of each tetrahedron, for tetrahedra inside of cells
     /// (mesher/space/grains): point_site then numbers the nodes of the torus, each with all its
-    /// images, and the sites are no points. Empty for Delaunay tetrahedra.
+    /// images, and sites are not points. Empty for Delaunay tetrahedra.
     std::vector<SiteId> cell = {};
 
     /// The image of a site that a point is: equal up to one translation of all images.

@@ -49,6 +49,20 @@ class Repeat(CliTest):
         self.assertEqual(len(rows), 13)
         self.assertEqual(len([line for line in self.path("t.txt").read_text().splitlines() if not line.startswith("#")]), 12)
 
+    def test_elongated_cells_repeat(self):
+        self.succeed(*RUN, *OBLIQUE, "--aspect", "3,1,0,1", "--volumes", "lognormal:0.3", "--repeat", "2x1x2", "-o", "t.vtu")
+        self.assertIn("power cells of 48 sites", self.succeed("check", "t.vtu"))
+        volumes = [float(v) for v in self.column("t.vtu", "Volume")]
+        for s, volume in enumerate(volumes):
+            self.assertAlmostEqual(volume, volumes[s % 12], delta=1e-13)
+        self.succeed(*RUN, *OBLIQUE, "--aspect", "3,1,0,1", "--repeat", "2x1x2", "--mesh", "delaunay", "-o", "t.msh")
+        self.assertIn("of 48 sites", self.succeed("check", "t.msh"))
+
+    def test_tetrahedra_inside_of_cells_repeat(self):
+        self.succeed("mesh", "--sites", 4, "--period", "1,1,1", "--repeat", "1x2x1", "--aspect", 2, "--mesh", "grains", "-o", "g.vtu")
+        checked = self.succeed("check", "g.vtu")
+        self.assertRegex(checked, r"in 8 cells .* volume 2$")
+
     def test_voxels_repeat(self):
         voxels = {}
         for copies, counts in (("1x1x1", "6,5,4"), ("2x1x3", "12,5,12")):

@@ -23,8 +23,8 @@ using testing::SpaceCase;
 constexpr double kPart = 1.4;
 
 Grains grains_of(const Sites& sites, const CellComplex& complex, int n_threads = 1) {
-    return mesh_grains(sites, complex,
-                       {.size = sites.spacing() / kPart, .n_rounds = 1, .n_threads = n_threads});
+    Workers workers(n_threads);
+    return mesh_grains(sites, complex, {.size = sites.spacing() / kPart, .n_rounds = 1}, workers);
 }
 
 Grains grains_of(const SpaceCase& c, int n_threads = 1) {
@@ -161,7 +161,8 @@ TEST(Grains, HaveNoSmallAnglesInCentroidalCells) {
     options.run.tolerance = 1e-3;
     const CvtResult cells = compute_cvt(cube, uniform_points(cube, 50, 1), options);
     const CellComplex complex = cell_complex(cells.delaunay.sites, cells.delaunay.tetrahedra);
-    const Grains grains = mesh_grains(cells.delaunay.sites, complex, {});
+    Workers one_worker(1);
+    const Grains grains = mesh_grains(cells.delaunay.sites, complex, {}, one_worker);
     expect_laws(grains, complex);
     for (const SharpFeature& sharp : grains.sharp_features) ASSERT_GT(sharp.angle, 8);
     DihedralRange all = grains.angles;
@@ -246,8 +247,9 @@ TEST(Grains, SmallerSizesGiveMoreTetrahedra) {
     const CellComplex complex = testing::complex_of(c);
     std::size_t before = 0;
     for (const double part : {1.5, 3.0, 5.0}) {
-        const Grains grains =
-            mesh_grains(sites, complex, {.size = sites.spacing() / part, .n_rounds = 0});
+        Workers one_worker(1);
+        const Grains grains = mesh_grains(
+            sites, complex, {.size = sites.spacing() / part, .n_rounds = 0}, one_worker);
         EXPECT_GT(grains.mesh.tetrahedra.cell.size(), before);
         before = grains.mesh.tetrahedra.cell.size();
         expect_volumes(grains.mesh, complex);
