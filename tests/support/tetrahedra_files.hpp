@@ -38,7 +38,9 @@ inline space::TetrahedralMesh grain_tetrahedra(int n) {
     const space::Lattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
     const SpaceCase c{"random", oblique, uniform_points(oblique, n, 3)};
     const space::Sites sites(oblique, c.points);
-    return mesh_grains(sites, complex_of(c), {.size = 0.7 * sites.spacing(), .n_rounds = 0})
+    Workers one_worker(1);
+    return mesh_grains(sites, complex_of(c), {.size = 0.7 * sites.spacing(), .n_rounds = 0},
+                       one_worker)
         .mesh.tetrahedra;
 }
 
