@@ -90,17 +90,16 @@ void Cavity::keep_component(int holder) {
     inside_.swap(kept_);
 }
 
-bool Cavity::keeps_vertices() const {
-    vertices_.clear();
+bool Cavity::keeps_vertices() {
+    seen_.resize(cell_.n_vertices(), 0);
+    ++n_looks_;
     for (const Triangle& t : boundary_) {
-        vertices_.insert(vertices_.end(), t.corners.begin(), t.corners.end());
+        for (const int v : t.corners) seen_[v] = n_looks_;
     }
-    std::sort(vertices_.begin(), vertices_.end());
     return std::all_of(inside_.begin(), inside_.end(), [&](int t) {
         const FourCorners& c = cell_.corners(t);
-        return std::all_of(c.begin(), c.end(), [&](int v) {
-            return std::binary_search(vertices_.begin(), vertices_.end(), v);
-        });
+        return seen_[c[0]] == n_looks_ && seen_[c[1]] == n_looks_ && seen_[c[2]] == n_looks_ &&
+               seen_[c[3]] == n_looks_;
     });
 }
 

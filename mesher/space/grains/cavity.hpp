@@ -44,7 +44,7 @@ class Cavity {
     ///          is set if it must stay.
     int find_unseen(int holder, bool& blocked);
     void keep_component(int holder);
-    bool keeps_vertices() const;
+    bool keeps_vertices();
 
     CellTetrahedra& cell_;
     Vec3 x_ = Vec3::Zero();
@@ -52,7 +52,9 @@ class Cavity {
     std::vector<int> kept_;
     std::vector<Triangle> boundary_;
     std::vector<FourCorners> fresh_;
-    mutable std::vector<int> vertices_;
+    /// For each vertex the last look at a boundary that saw it.
+    std::vector<long> seen_;
+    long n_looks_ = 0;
 };
 
 }  // namespace pcvt::space

@@ -60,10 +60,16 @@ class Climb {
     }
 
    private:
+    /// Moves the inner vertices of tetrahedra below the target.
     bool move(double target) {
+        waits_.assign(cell_.n_vertices(), 0);
+        for (int t = 0; t < cell_.n_numbers(); ++t) {
+            if (!cell_.is_alive(t) || cell_.quality(t) > target) continue;
+            for (const int v : cell_.corners(t)) waits_[v] = 1;
+        }
         bool changed = false;
         for (int v = cell_.n_hull(); v < cell_.n_vertices(); ++v) {
-            if (cell_.is_used(v)) changed |= moves_.climb(v, target);
+            if (waits_[v] != 0) changed |= moves_.climb(v, target);
         }
         return changed;
     }
@@ -71,7 +77,9 @@ class Climb {
     bool flip(double target) {
         bool changed = false;
         for (int t = 0; t < cell_.n_numbers(); ++t) {
-            if (cell_.is_alive(t) && cell_.quality(t) < target) changed |= flips_.flip_at(t);
+            if (!cell_.is_alive(t) || cell_.quality(t) >= target) continue;
+            if (cell_.has_failed(CellTetrahedra::kFlip, t)) continue;
+            changed |= flips_.flip_at(t);
         }
         return changed;
     }
@@ -88,12 +96,14 @@ class Climb {
         for (const auto& [quality, t] : thin) {
             // Those that an earlier step replaced have another quality.
             if (!cell_.is_alive(t) || cell_.quality(t) != quality) continue;
+            if (cell_.has_failed(CellTetrahedra::kInsertion, t)) continue;
             changed |= insertion_.mend(t);
         }
         return changed;
     }
 
     CellTetrahedra& cell_;
+    std::vector<char> waits_;
     VertexMoves moves_;
     TetrahedronFlips flips_;
     VertexInsertion insertion_;

@@ -1,7 +1,8 @@
 #include "mesher/space/grains/cell_tetrahedra.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <bit>
+#include <cstdint>
 #include <utility>
 
 #include "mesher/base/error.hpp"
@@ -11,6 +12,8 @@ namespace {
 
 constexpr int kMostTetrahedronSteps = 3000;
 constexpr FourCorners kNoNeighbours{-1, -1, -1, -1};
+/// Side::k of a side whose other side was found.
+constexpr int kLinked = -2;
 
 /// The mean length of the edges of the hull at each of its points.
 std::vector<double> hull_sizes(const CellHull& hull) {
@@ -37,7 +40,9 @@ CellTetrahedra::CellTetrahedra(const CellHull& hull, const Vec3& centre)
     : n_hull_(static_cast<int>(hull.points.size())),
       points_(hull.points),
       sizes_(hull_sizes(hull)),
-      one_at_(hull.points.size(), -1) {
+      one_at_(hull.points.size(), -1),
+      changes_(hull.points.size(), 1),
+      vertex_failures_(hull.points.size()) {
     double size = kUnlimited;
     for (int v = 0; v < n_hull_; ++v) {
         size = std::min(size, sizes_[v] + kSizeGrowth * distance(points_[v], centre));
@@ -141,12 +146,14 @@ int CellTetrahedra::add(const FourCorners& corners) {
         quality_.push_back(0);
         alive_.push_back(1);
         marks_.push_back(0);
+        failures_.push_back({});
     } else {
         t = free_.back();
         free_.pop_back();
         corners_[t] = corners;
         neighbours_[t] = kNoNeighbours;
         alive_[t] = 1;
+        failures_[t] = {};
     }
     quality_[t] = smallest_sine_of(corners);
     for (const int v : corners) one_at_[v] = t;
@@ -160,7 +167,7 @@ void CellTetrahedra::collect_boundary(std::span<const int> old, const HullChange
             return s.a == g.a && s.b == g.b && s.c == g.c;
         });
     };
-    for (const ThreeCorners& triangle : hull.come) sides_.push_back(side(triangle, -1, -1));
+    for (const ThreeCorners& triangle : hull.come) link(side(triangle, -1, -1));
     for (const int t : old) marks_[t] = 1;
     for (const int t : old) {
         for (int k = 0; k < 4; ++k) {
@@ -172,51 +179,75 @@ void CellTetrahedra::collect_boundary(std::span<const int> old, const HullChange
                 while (neighbours_[o][back] != t) ++back;
             }
             const Side here = side(triangle(t, k), o, back);
-            if (o >= 0 || !vanishes(here)) sides_.push_back(here);
+            if (o >= 0 || !vanishes(here)) link(here);
         }
     }
     for (const int t : old) marks_[t] = 0;
 }
 
-void CellTetrahedra::link_sides() {
-    std::sort(sides_.begin(), sides_.end(), [](const Side& s, const Side& r) {
-        return std::tie(s.a, s.b, s.c) < std::tie(r.a, r.b, r.c);
-    });
-    for (std::size_t i = 0; i < sides_.size(); i += 2) {
-        const Side& s = sides_[i];
-        const Side& r = i + 1 < sides_.size() ? sides_[i + 1] : Side{-1, -1, -1, -1, -1};
-        if (s.a != r.a || s.b != r.b || s.c != r.c) {
-            throw InternalError("tetrahedra of a cell were replaced by others of another hull");
+/// Links a side with the other one on the same triangle, or keeps it until that comes.
+void CellTetrahedra::link(const Side& s) {
+    const std::size_t mask = slots_.size() - 1;
+    const auto hash = static_cast<std::uint32_t>(s.a) * 0x9E3779B1u ^
+                      static_cast<std::uint32_t>(s.b) * 0x85EBCA77u ^
+                      static_cast<std::uint32_t>(s.c) * 0xC2B2AE3Du;
+    for (std::size_t k = (hash >> 15 ^ hash) & mask;; k = (k + 1) & mask) {
+        Slot& slot = slots_[k];
+        if (slot.replacement != n_replacements_) {
+            slot = {s, n_replacements_};
+            ++n_waiting_;
+            return;
         }
+        Side& r = slot.side;
+        if (s.a != r.a || s.b != r.b || s.c != r.c || r.k == kLinked) continue;
         if (s.tetrahedron >= 0) neighbours_[s.tetrahedron][s.k] = r.tetrahedron;
         if (r.tetrahedron >= 0) neighbours_[r.tetrahedron][r.k] = s.tetrahedron;
+        r.k = kLinked;
+        --n_waiting_;
+        return;
     }
 }
 
 void CellTetrahedra::replace(std::span<const int> old, std::span<const FourCorners> fresh,
                              const HullChange& hull) {
-    sides_.clear();
+    const std::size_t most_sides = 4 * (old.size() + fresh.size()) + hull.come.size();
+    if (slots_.size() < 2 * most_sides) slots_.assign(std::bit_ceil(4 * most_sides), {});
+    ++n_replacements_;
+    ++now_;
+    n_waiting_ = 0;
     collect_boundary(old, hull);
-    for (const int t : old) alive_[t] = 0;
+    for (const int t : old) {
+        alive_[t] = 0;
+        note_change(corners_[t]);
+    }
     free_.insert(free_.end(), old.begin(), old.end());
     fresh_.clear();
     for (const FourCorners& corners : fresh) {
         const int t = add(corners);
         fresh_.push_back(t);
-        for (int k = 0; k < 4; ++k) sides_.push_back(side(triangle(t, k), t, k));
+        note_change(corners);
+        for (int k = 0; k < 4; ++k) link(side(triangle(t, k), t, k));
     }
-    link_sides();
+    if (n_waiting_ != 0) {
+        throw InternalError("tetrahedra of a cell were replaced by others of another hull");
+    }
 }
 
 int CellTetrahedra::add_vertex(const Vec3& at, double size) {
     points_.push_back(at);
     sizes_.push_back(size);
     one_at_.push_back(-1);
+    changes_.push_back(now_);
+    vertex_failures_.push_back({});
     return n_vertices() - 1;
 }
 
 void CellTetrahedra::update_quality(std::span<const int> tetrahedra) {
-    for (const int t : tetrahedra) quality_[t] = smallest_sine_of(corners_[t]);
+    ++now_;
+    for (const int t : tetrahedra) {
+        quality_[t] = smallest_sine_of(corners_[t]);
+        note_change(corners_[t]);
+    }
 }
 
 }  // namespace pcvt::space

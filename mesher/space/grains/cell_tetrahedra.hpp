@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -87,6 +89,21 @@ class CellTetrahedra {
     void set_point(int v, const Vec3& at) { points_[v] = at; }
     void update_quality(std::span<const int> tetrahedra);
 
+    /// Searches that are not repeated where they failed before, as long as nothing has changed.
+    enum VertexSearch { kRelaxation, kMove, kContraction, kVertexSearches };
+    enum TetrahedronSearch { kFlip, kInsertion, kTetrahedronSearches };
+    bool has_failed(VertexSearch what, int v) const {
+        return vertex_failures_[v][what] >= changes_[v];
+    }
+    void note_failure(VertexSearch what, int v) { vertex_failures_[v][what] = now_; }
+    /// That no vertex of a tetrahedron has another star than when the search failed.
+    bool has_failed(TetrahedronSearch what, int t) const {
+        const FourCorners& c = corners_[t];
+        return failures_[t][what] >=
+               std::max({changes_[c[0]], changes_[c[1]], changes_[c[2]], changes_[c[3]]});
+    }
+    void note_failure(TetrahedronSearch what, int t) { failures_[t][what] = now_; }
+
     /// A mark for each tetrahedron, 0 between calls.
     std::vector<char>& marks() const { return marks_; }
 
@@ -102,7 +119,10 @@ class CellTetrahedra {
     static Side side(const ThreeCorners& triangle, int t, int k);
     int add(const FourCorners& corners);
     void collect_boundary(std::span<const int> old, const HullChange& hull);
-    void link_sides();
+    void link(const Side& side);
+    void note_change(const FourCorners& corners) {
+        for (const int v : corners) changes_[v] = now_;
+    }
     double smallest_sine_of(const FourCorners& c) const {
         return smallest_sine(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]);
     }
@@ -119,7 +139,20 @@ class CellTetrahedra {
     mutable std::vector<char> marks_;
     std::vector<int> free_;
     std::vector<int> fresh_;
-    std::vector<Side> sides_;
+    /// Sides that wait for their other side, by a hash of their vertices; those of an earlier
+    /// replacement have another number.
+    struct Slot {
+        Side side;
+        long replacement;
+    };
+    std::vector<Slot> slots_;
+    long n_replacements_ = 0;
+    std::size_t n_waiting_ = 0;
+    /// The number of changes, and for each vertex that of the last one of its star.
+    int now_ = 1;
+    std::vector<int> changes_;
+    std::vector<std::array<int, kVertexSearches>> vertex_failures_;
+    std::vector<std::array<int, kTetrahedronSearches>> failures_;
 };
 
 }  // namespace pcvt::space

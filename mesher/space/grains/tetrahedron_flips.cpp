@@ -138,6 +138,7 @@ bool TetrahedronFlips::flip_at(int t) {
     for (int k = 0; k < 4; ++k) {
         if (remove_triangle(t, k)) return true;
     }
+    cell_.note_failure(CellTetrahedra::kFlip, t);
     return false;
 }
 

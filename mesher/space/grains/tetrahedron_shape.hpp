@@ -19,6 +19,11 @@ inline double dot_product(const Vec3& a, const Vec3& b) {
     return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
 }
 
+/// a - b; GCC calls a function for Eigen's.
+[[gnu::always_inline]] inline Vec3 difference(const Vec3& a, const Vec3& b) {
+    return {a.x() - b.x(), a.y() - b.y(), a.z() - b.z()};
+}
+
 [[gnu::always_inline]] inline Vec3 cross_product(const Vec3& a, const Vec3& b) {
     return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(),
             a.x() * b.y() - a.y() * b.x()};
@@ -26,39 +31,41 @@ inline double dot_product(const Vec3& a, const Vec3& b) {
 
 inline double squared_length(const Vec3& a) { return dot_product(a, a); }
 inline double length(const Vec3& a) { return std::sqrt(squared_length(a)); }
-inline double squared_distance(const Vec3& a, const Vec3& b) { return squared_length(a - b); }
+inline double squared_distance(const Vec3& a, const Vec3& b) {
+    return squared_length(difference(a, b));
+}
 inline double distance(const Vec3& a, const Vec3& b) { return length(a - b); }
 inline Vec3 unit_vector(const Vec3& a) { return a / length(a); }
 
 /// Six times the volume; negative where the tetrahedron is turned over.
 [[gnu::always_inline]] inline double volume6(const Vec3& a, const Vec3& b, const Vec3& c,
                                              const Vec3& d) {
-    const Vec3 ab = b - a;
-    const Vec3 ac = c - a;
-    const Vec3 ad = d - a;
-    return dot_product(cross_product(ab, ac), ad);
+    return dot_product(cross_product(difference(b, a), difference(c, a)), difference(d, a));
 }
 
-/// The smallest sine of the six dihedral angles; negative where the tetrahedron is turned over. The
-/// sine at edge kl is 6 V |kl| / (4 A_i A_j), A_i and A_j the areas of the faces that meet there.
+/// The smallest sine of the six dihedral angles; negative where the tetrahedron is turned over, and
+/// where a face has no area. The sine at edge kl is 6 V |kl| / (4 A_i A_j), A_i and A_j the areas of
+/// the faces that meet there; all six share the denominator A_0 A_1 A_2 A_3.
 [[gnu::always_inline]] inline double smallest_sine(const Vec3& a, const Vec3& b, const Vec3& c,
                                                    const Vec3& d) {
-    const Vec3 ab = b - a;
-    const Vec3 ac = c - a;
-    const Vec3 ad = d - a;
-    const Vec3 bc = c - b;
-    const Vec3 bd = d - b;
-    const Vec3 cd = d - c;
+    const Vec3 ab = difference(b, a);
+    const Vec3 ac = difference(c, a);
+    const Vec3 ad = difference(d, a);
+    const Vec3 bc = difference(c, b);
+    const Vec3 bd = difference(d, b);
     const Vec3 normal_d = cross_product(ab, ac);
     const double a_face = squared_length(cross_product(bc, bd));
     const double b_face = squared_length(cross_product(ac, ad));
     const double c_face = squared_length(cross_product(ab, ad));
     const double d_face = squared_length(normal_d);
-    const double least =
-        std::min({squared_length(cd) / (a_face * b_face), squared_length(bd) / (a_face * c_face),
-                  squared_length(bc) / (a_face * d_face), squared_length(ad) / (b_face * c_face),
-                  squared_length(ac) / (b_face * d_face), squared_length(ab) / (c_face * d_face)});
-    return dot_product(normal_d, ad) * std::sqrt(least);
+    const double bases = a_face * b_face;
+    const double sides = c_face * d_face;
+    const double least = std::min(
+        {squared_distance(d, c) * sides, squared_length(ab) * bases,
+         squared_length(bd) * (b_face * d_face), squared_length(bc) * (b_face * c_face),
+         squared_length(ad) * (a_face * d_face), squared_length(ac) * (a_face * c_face)});
+    const double product = bases * sides;
+    return product > 0 ? dot_product(normal_d, ad) * std::sqrt(least / product) : -1;
 }
 
 /// Six times the volume over (sum of the squared edges)^(3/2), which is largest where the

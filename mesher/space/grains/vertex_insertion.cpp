@@ -23,9 +23,13 @@ constexpr double kLeastNormal = 0.1;
 bool VertexInsertion::mend(int t) {
     const FourCorners corners = cell_.corners(t);
     for (const int v : corners) {
-        if (cell_.is_inner(v) && contract(v)) return true;
+        if (!cell_.is_inner(v) || cell_.has_failed(CellTetrahedra::kContraction, v)) continue;
+        if (contract(v)) return true;
+        cell_.note_failure(CellTetrahedra::kContraction, v);
     }
-    return insert_near(t);
+    if (insert_near(t)) return true;
+    cell_.note_failure(CellTetrahedra::kInsertion, t);
+    return false;
 }
 
 /// Stops at the first sine that is not above `least`.

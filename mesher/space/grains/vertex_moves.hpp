@@ -1,14 +1,11 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
-#include "mesher/space/grains/cell_tetrahedra.hpp"
+#include "mesher/space/grains/star_shape.hpp"
 
 namespace pcvt::space {
-
-/// The lattice directions of a pattern search in space.
-inline constexpr int kSearchDirections = 14;
-Vec3 search_direction(int k);
 
 /// Moves of inner vertices of a cell. The smallest sine of a star never falls.
 ///
@@ -34,11 +31,11 @@ class VertexMoves {
 
    private:
     void relax_vertex(int v);
-    bool is_better(int v, const Vec3& at, double least, double ratio) const;
-    double worst_with(int v, const Vec3& at, double least) const;
+    std::pair<Vec3, double> middle_of_star(int v) const;
 
     CellTetrahedra& cell_;
     std::vector<int> star_;
+    StarShape shape_;
 };
 
 }  // namespace pcvt::space
