@@ -7,9 +7,10 @@
 /// (=7), ROUNDS those of GrainChoices (2), SHORTEST the largest edge to be removed over h (0). Each
 /// line shows: tetrahedra a cell; the smallest dihedral angle, the same away from sharp features,
 /// and the first percentile of the smallest angles of tetrahedra, the largest angle, degrees; the
-/// tetrahedra with an angle below 10 degrees in a million; the mean of three times the inradius over
-/// the circumradius; CPU seconds of faces, of filling and of all rounds; and these three together
-/// over the time of one plain CGAL triangulation of as many random points as the mesh has nodes.
+/// tetrahedra with an angle below 10 degrees in a million; the mean of three times the inradius
+/// over the circumradius; CPU seconds of faces, of filling and of all rounds; and these three
+/// together over the time of one plain CGAL triangulation of as many random points as the mesh has
+/// nodes.
 
 #include <algorithm>
 #include <array>
@@ -113,15 +114,14 @@ void measure(const Choices& choices, std::uint64_t seed) {
     const Quality quality = quality_of(mesh);
     const double peer = seconds_of_peer(number_of_nodes(mesh));
     const double rounds = times[times.size() - 2] - times[2];
-    std::printf("%-8s %5d %4llu  %6.0f  %5.2f %5.2f %5.2f %6.2f  %6.1f  %.3f  %7.3f %7.3f %7.3f  "
-                "%5.1f  wall %.3f  named %zu\n",
-                choices.kind.c_str(), grains.complex.n_cells,
-                static_cast<unsigned long long>(seed),
-                static_cast<double>(mesh.n_tetrahedra()) / grains.complex.n_cells, quality.smallest,
-                filled.angles.smallest, quality.hundredth, quality.largest, quality.below_ten,
-                quality.radius_ratio, times[1] - times[0], times[2] - times[1], rounds,
-                (times[times.size() - 2] - times[0]) / peer, wall_seconds,
-                filled.sharp_features.size());
+    std::printf(
+        "%-8s %5d %4llu  %6.0f  %5.2f %5.2f %5.2f %6.2f  %6.1f  %.3f  %7.3f %7.3f %7.3f  "
+        "%5.1f  wall %.3f  named %zu\n",
+        choices.kind.c_str(), grains.complex.n_cells, static_cast<unsigned long long>(seed),
+        static_cast<double>(mesh.n_tetrahedra()) / grains.complex.n_cells, quality.smallest,
+        filled.angles.smallest, quality.hundredth, quality.largest, quality.below_ten,
+        quality.radius_ratio, times[1] - times[0], times[2] - times[1], rounds,
+        (times[times.size() - 2] - times[0]) / peer, wall_seconds, filled.sharp_features.size());
     std::fflush(stdout);
 }
 
@@ -140,7 +140,10 @@ int main(int argc, char** argv) {
     const bool is_one = seeds.front() == '=';
     const int first = is_one ? std::atoi(seeds.c_str() + 1) : 1;
     const int last = is_one ? first : std::atoi(seeds.c_str());
-    std::printf("kind         n seed   tets/c   min  away    p1    max  <10ppm  rr     faces    fill  rounds   CGAL\n");
-    for (int seed = first; seed <= last; ++seed) pcvt::bench::measure(choices, static_cast<std::uint64_t>(seed));
+    std::printf(
+        "kind         n seed   tets/c   min  away    p1    max  <10ppm  rr     faces    fill  "
+        "rounds   CGAL\n");
+    for (int seed = first; seed <= last; ++seed)
+        pcvt::bench::measure(choices, static_cast<std::uint64_t>(seed));
     return 0;
 }

@@ -108,7 +108,7 @@ inline GrainCase grain_case(const std::string& kind, int n, std::uint64_t seed) 
         return random(Lattice({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {2.4, 0.3, 1.2}));
     }
     if (kind == "plate") return random(Lattice::box(1, 1, 0.01));
-    if (kind == "rod") return random(Lattice::box(1, 0.01, 0.3));
+    if (kind == "rod") return random(Lattice::box(1, 0.01, 0.01));
     return random(cube);
 }
 

@@ -6,27 +6,17 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/workers.hpp"
-#include "mesher/portable/portable_functions.hpp"
 #include "mesher/space/grains/cell_filling.hpp"
+#include "mesher/space/grains/cell_sizes.hpp"
 #include "mesher/space/grains/shared_moves.hpp"
 
 namespace pcvt::space {
 namespace {
 
-constexpr double kDefaultPart = 1.0 / 3;
 /// The sine of 18 degrees: cells below are filled again on their moved faces.
 constexpr double kFilledAgain = 0.3090169943749474;
 constexpr int kRelaxations = 3;
 constexpr int kMovesInRound = 2;
-
-std::vector<double> cell_sizes(const CellComplex& complex, double size) {
-    std::vector<double> sizes;
-    for (const CellBody& body : cell_bodies(complex)) {
-        const double edge = portable_cbrt(body.volume);
-        sizes.push_back(size > 0 ? std::min(size, kLargestSize * edge) : kDefaultPart * edge);
-    }
-    return sizes;
-}
 
 class GrainFilling {
    public:
@@ -76,7 +66,7 @@ class GrainFilling {
     }
 
     void improve() {
-        SharedMoves shared(complex_, surface_, hulls_, cells_);
+        SharedMoves shared(complex_, surface_, hulls_, cells_, workers_);
         shared.flip_edges();
         for (int k = 0; k < kMovesInRound; ++k) shared.move_nodes();
         workers_.for_each(complex_.n_cells, [&](int c) { climb(cells_[c], kRelaxations); });

@@ -13,16 +13,13 @@ namespace pcvt::space {
 
 /// How cells are filled with tetrahedra.
 struct GrainChoices {
-    /// The target length of edges, length units, at most kLargestSize of the cube root of the
-    /// volume of a cell; 0: a third of that root for each cell.
+    /// The target length of edges, length units, as cell_sizes() takes it.
     double size = 0;
     /// Rounds in which the faces move together with the tetrahedra on both sides.
     int n_rounds = 2;
     /// Called with the part of the work that is done, in [0, 1]; may be empty.
     std::function<void(double)> progress = {};
 };
-
-inline constexpr double kLargestSize = 0.7;
 
 /// Tetrahedra inside of cells.
 struct Grains {

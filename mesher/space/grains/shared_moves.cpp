@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <tuple>
+#include <utility>
 
-#include "mesher/base/checkpoint.hpp"
 #include "mesher/space/grains/cell_filling.hpp"
+#include "mesher/space/grains/star_shape.hpp"
+#include "mesher/space/grains/tetrahedron_flips.hpp"
 
 namespace pcvt::space {
 namespace {
@@ -19,27 +22,41 @@ constexpr double kLeastArea = 1e-3;
 constexpr double kFirstSharedStep = 0.25;
 constexpr double kLastSharedStep = 0.02;
 
-}  // namespace
-
-SharedMoves::SharedMoves(const CellComplex& complex, GrainSurface& surface,
-                         std::vector<CellHull>& hulls, std::vector<CellTetrahedra>& cells)
-    : complex_(complex),
-      surface_(surface),
-      hulls_(hulls),
-      cells_(cells),
-      uses_(surface.nodes.size()) {
-    for (int c = 0; c < static_cast<int>(hulls.size()); ++c) {
-        const std::vector<NodeImage>& images = hulls[c].images;
-        for (int v = 0; v < static_cast<int>(images.size()); ++v) {
-            uses_[images[v].vertex].push_back({c, v});
+/// Distributes items to groups, so that no two of a group have a cell in common: each item in its
+/// turn to the first group without its cells.
+std::vector<std::vector<int>> independent_groups(const std::vector<std::vector<int>>& cells_of,
+                                                 int n_cells) {
+    std::vector<std::vector<int>> groups;
+    // For each cell the groups that it is in.
+    std::vector<std::vector<char>> taken(n_cells);
+    for (std::size_t item = 0; item < cells_of.size(); ++item) {
+        const std::vector<int>& cells = cells_of[item];
+        std::size_t group = 0;
+        const auto is_taken = [&](int c) {
+            return group < taken[c].size() && taken[c][group] != 0;
+        };
+        while (std::any_of(cells.begin(), cells.end(), is_taken)) ++group;
+        if (group == groups.size()) groups.emplace_back();
+        groups[group].push_back(static_cast<int>(item));
+        for (const int c : cells) {
+            if (taken[c].size() <= group) taken[c].resize(group + 1, 0);
+            taken[c][group] = 1;
         }
     }
+    return groups;
 }
 
+/// An edge between two triangles of a face, in the frame of the face.
+struct FaceEdge {
+    NodeImage low;
+    NodeImage high;
+    int triangle;
+    NodeImage apex;
+};
+
 /// The edges of the triangles of a face, so that both triangles of an inner edge follow each other.
-std::vector<SharedMoves::FaceEdge> SharedMoves::face_edges(int f) const {
+std::vector<FaceEdge> face_edges(const std::vector<SurfaceTriangle>& triangles) {
     std::vector<FaceEdge> edges;
-    const std::vector<SurfaceTriangle>& triangles = surface_.triangles[f];
     for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
         for (int k = 0; k < 3; ++k) {
             const auto [low, high] =
@@ -53,196 +70,276 @@ std::vector<SharedMoves::FaceEdge> SharedMoves::face_edges(int f) const {
     return edges;
 }
 
-void SharedMoves::flip_edges() {
-    for (int f = 0; f < complex_.n_faces(); ++f) {
-        checkpoint();
-        flip_face(f);
-    }
-}
+/// The flips of edges in one face.
+class FaceFlips {
+   public:
+    FaceFlips(const CellComplex& complex, GrainSurface& surface, const std::vector<CellHull>& hulls,
+              std::vector<CellTetrahedra>& cells, int f)
+        : complex_(complex),
+          surface_(surface),
+          triangles_(surface.triangles[f]),
+          sides_{Side(hulls[complex.faces[f].cell], cells[complex.faces[f].cell], {}),
+                 Side(hulls[complex.faces[f].neighbour], cells[complex.faces[f].neighbour],
+                      complex.faces[f].offset)} {}
 
-void SharedMoves::flip_face(int f) {
-    const std::vector<FaceEdge> edges = face_edges(f);
-    std::vector<char> touched(surface_.triangles[f].size(), 0);
-    for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
-        const FaceEdge& left = edges[k];
-        const FaceEdge& right = edges[k + 1];
-        if (left.low != right.low || left.high != right.high) continue;
-        if (touched[left.triangle] != 0 || touched[right.triangle] != 0) continue;
-        if (!flip(f, left, right)) continue;
-        touched[left.triangle] = touched[right.triangle] = 1;
-    }
-}
-
-/// Whether the triangles (c, d, b) and (d, c, a) lie in the quadrilateral of (a, b, c) and
-/// (b, a, d).
-bool SharedMoves::leaves_area(const NodeImage& a, const NodeImage& b, const NodeImage& c,
-                              const NodeImage& d) const {
-    const auto at = [&](const NodeImage& image) { return surface_.position(complex_, image); };
-    const auto area = [&](const NodeImage& p, const NodeImage& q, const NodeImage& r) {
-        return cross_product(at(q) - at(p), at(r) - at(p));
-    };
-    const Vec3 old = area(a, b, c);
-    const double least = kLeastArea * squared_length(old);
-    return dot_product(area(c, d, b), old) > least && dot_product(area(d, c, a), old) > least;
-}
-
-bool SharedMoves::plan(int cell, const Offset& shift, const std::array<NodeImage, 4>& corners,
-                       FlipPlan& plan) {
-    const auto vertex = [&](int k) {
-        return hulls_[cell].find({corners[k].vertex, corners[k].offset - shift});
-    };
-    return TetrahedronFlips(cells_[cell])
-        .plan_on_hull(vertex(0), vertex(1), vertex(2), vertex(3), plan);
-}
-
-void SharedMoves::carry_out(int cell, const Offset& shift, const std::array<NodeImage, 4>& corners,
-                            const FlipPlan& plan) {
-    const auto vertex = [&](int k) {
-        return hulls_[cell].find({corners[k].vertex, corners[k].offset - shift});
-    };
-    const int a = vertex(0);
-    const int b = vertex(1);
-    const int c = vertex(2);
-    const int d = vertex(3);
-    cells_[cell].replace(plan.old, plan.fresh,
-                         {.gone = {{a, b, c}, {a, b, d}}, .come = {{c, d, a}, {c, d, b}}});
-}
-
-/// Replaces the edge between two triangles of a face by that between their apexes, if the smallest
-/// sine of the tetrahedra at it in both cells rises.
-bool SharedMoves::flip(int f, const FaceEdge& left, const FaceEdge& right) {
-    const CellFace& face = complex_.faces[f];
-    std::vector<SurfaceTriangle>& triangles = surface_.triangles[f];
-    // The triangle on the left is (a, b, c).
-    NodeImage a = left.low;
-    NodeImage b = left.high;
-    const SurfaceTriangle& t = triangles[left.triangle];
-    for (int k = 0; k < 3; ++k) {
-        if (t[k] == b && t[(k + 1) % 3] == a) std::swap(a, b);
-    }
-    const NodeImage c = left.apex;
-    const NodeImage d = right.apex;
-    if (!leaves_area(a, b, c, d)) return false;
-    const std::array<NodeImage, 4> corners{a, b, c, d};
-    if (!plan(face.cell, {}, corners, first_) ||
-        !plan(face.neighbour, face.offset, corners, second_)) {
-        return false;
-    }
-    const double before = std::min(first_.before, second_.before);
-    const double after = std::min(first_.after, second_.after);
-    if (before > kTargetSine || after <= before + kGain) return false;
-    if (face.cell == face.neighbour) {
-        // A cell that is its own neighbour: the two plans must not share a tetrahedron.
-        for (const int s : first_.old) {
-            if (std::find(second_.old.begin(), second_.old.end(), s) != second_.old.end()) {
-                return false;
-            }
+    void run() {
+        const std::vector<FaceEdge> edges = face_edges(triangles_);
+        std::vector<char> touched(triangles_.size(), 0);
+        for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
+            const FaceEdge& left = edges[k];
+            const FaceEdge& right = edges[k + 1];
+            if (left.low != right.low || left.high != right.high) continue;
+            if (touched[left.triangle] != 0 || touched[right.triangle] != 0) continue;
+            if (!flip(left, right)) continue;
+            touched[left.triangle] = touched[right.triangle] = 1;
         }
     }
-    // Plans name vertices, so the first one leaves the numbers of the second as they are, except
-    // where both are of one cell: those that are alive keep their numbers.
-    carry_out(face.cell, {}, corners, first_);
-    carry_out(face.neighbour, face.offset, corners, second_);
-    triangles[left.triangle] = {a, d, c};
-    triangles[right.triangle] = {b, c, d};
-    return true;
-}
 
-void SharedMoves::move_nodes() {
-    for (int node = 0; node < static_cast<int>(surface_.nodes.size()); ++node) {
-        checkpoint_each(node, 64);
-        move(node);
-    }
-}
+   private:
+    /// A cell of the face: its frame is that of the face without `shift`.
+    struct Side {
+        Side(const CellHull& its_hull, CellTetrahedra& its_cell, const Offset& its_shift)
+            : hull(its_hull), cell(its_cell), shift(its_shift), flips(its_cell) {}
 
-std::vector<Vec3> SharedMoves::directions(int node) const {
-    const SurfaceNode& at = surface_.nodes[node];
-    if (at.dimension == 1) {
-        const CellEdge& edge = surface_.edges.edges[at.carrier];
-        const Vec3 along = unit_vector(complex_.position(edge.to) - complex_.position(edge.from));
-        return {along, -along};
+        bool find_ring(const std::array<NodeImage, 4>& corners) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                vertices[k] = hull.find({corners[k].vertex, corners[k].offset - shift});
+            }
+            return flips.find_ring_on_hull(vertices[0], vertices[1], vertices[2], vertices[3],
+                                           plan);
+        }
+        void carry_out() {
+            const auto [a, b, c, d] = vertices;
+            cell.replace(plan.old, plan.fresh,
+                         {.gone = {{a, b, c}, {a, b, d}}, .come = {{c, d, a}, {c, d, b}}});
+        }
+
+        const CellHull& hull;
+        CellTetrahedra& cell;
+        Offset shift;
+        TetrahedronFlips flips;
+        std::array<int, 4> vertices = {};
+        FlipPlan plan = {};
+    };
+
+    /// Whether the triangles (c, d, b) and (d, c, a) lie in the quadrilateral of (a, b, c) and
+    /// (b, a, d).
+    bool leaves_area(const std::array<NodeImage, 4>& corners) const {
+        const auto at = [&](int k) { return surface_.position(complex_, corners[k]); };
+        const auto area = [&](int p, int q, int r) {
+            return cross_product(at(q) - at(p), at(r) - at(p));
+        };
+        const Vec3 old = area(0, 1, 2);
+        const double least = kLeastArea * squared_length(old);
+        return dot_product(area(2, 3, 1), old) > least && dot_product(area(3, 2, 0), old) > least;
     }
-    const double half = 0.5;
+
+    /// Replaces the edge between two triangles by that between their apexes, if the smallest sine
+    /// of the tetrahedra at it in both cells rises.
+    bool flip(const FaceEdge& left, const FaceEdge& right) {
+        // The triangle on the left is (a, b, c).
+        NodeImage a = left.low;
+        NodeImage b = left.high;
+        const SurfaceTriangle& t = triangles_[left.triangle];
+        for (int k = 0; k < 3; ++k) {
+            if (t[k] == b && t[(k + 1) % 3] == a) std::swap(a, b);
+        }
+        const std::array<NodeImage, 4> corners{a, b, left.apex, right.apex};
+        auto& [first, second] = sides_;
+        if (!first.find_ring(corners) || !second.find_ring(corners)) return false;
+        const double before = std::min(first.plan.before, second.plan.before);
+        const double least = before + kGain;
+        if (before > kTargetSine || !leaves_area(corners)) return false;
+        if (!first.flips.fill_ring_on_hull(least, first.plan) ||
+            !second.flips.fill_ring_on_hull(least, second.plan)) {
+            return false;
+        }
+        if (&first.cell == &second.cell) {
+            // A cell that is its own neighbour: the two plans must not share a tetrahedron.
+            const std::vector<int>& others = second.plan.old;
+            for (const int s : first.plan.old) {
+                if (std::find(others.begin(), others.end(), s) != others.end()) return false;
+            }
+        }
+        // Plans name vertices, so the first one leaves the numbers of the second as they are,
+        // except where both are of one cell: those that are alive keep their numbers.
+        first.carry_out();
+        second.carry_out();
+        triangles_[left.triangle] = {a, right.apex, left.apex};
+        triangles_[right.triangle] = {b, left.apex, right.apex};
+        return true;
+    }
+
+    const CellComplex& complex_;
+    GrainSurface& surface_;
+    std::vector<SurfaceTriangle>& triangles_;
+    std::array<Side, 2> sides_;
+};
+
+/// Moves of nodes, each in all cells that have it.
+class NodeMoves {
+   public:
+    NodeMoves(const CellComplex& complex, GrainSurface& surface, std::vector<CellHull>& hulls,
+              std::vector<CellTetrahedra>& cells)
+        : complex_(complex), surface_(surface), hulls_(hulls), cells_(cells) {}
+
+    /// @param ways  unit vectors along which the node may move.
+    void move(int node, std::span<const NodeUse> uses, std::span<const Vec3> ways) {
+        const bool has_failed = std::all_of(uses.begin(), uses.end(), [&](const NodeUse& use) {
+            return cells_[use.cell].has_failed(CellTetrahedra::kMove, use.vertex);
+        });
+        if (has_failed) return;
+        collect_stars(uses);
+        const double start = around_[0].quality;
+        if (start > kTargetSine) return;
+        shape_.clear();
+        for (const Around& t : around_) shape_.add(cells_[t.cell], t.tetrahedron, t.vertex);
+        double best = start;
+        Vec3 way = Vec3::Zero();
+        const double shortest = shortest_edge();
+        for (double step = kFirstSharedStep; step > kLastSharedStep; step /= 2) {
+            for (const Vec3& direction : ways) {
+                const Vec3 probe = way + step * shortest * direction;
+                const double worst = shape_.least_sine(probe, best);
+                if (worst <= best + kSharedProbeGain) continue;
+                best = worst;
+                way = probe;
+            }
+        }
+        if (best > start + kGain) {
+            place(node, surface_.nodes[node].position + way, uses);
+            return;
+        }
+        for (const NodeUse& use : uses) {
+            cells_[use.cell].note_failure(CellTetrahedra::kMove, use.vertex);
+        }
+    }
+
+   private:
+    /// A tetrahedron round an image of a node.
+    struct Around {
+        double quality;
+        int cell;
+        int tetrahedron;
+        int vertex;
+    };
+
+    void collect_stars(std::span<const NodeUse> uses) {
+        around_.clear();
+        for (const NodeUse& use : uses) {
+            const CellTetrahedra& cell = cells_[use.cell];
+            cell.find_star(use.vertex, star_);
+            for (const int t : star_) around_.push_back({cell.quality(t), use.cell, t, use.vertex});
+        }
+        // The worst come first, since most probes fail there.
+        std::sort(around_.begin(), around_.end(), [](const Around& s, const Around& t) {
+            return std::tie(s.quality, s.cell, s.tetrahedron) <
+                   std::tie(t.quality, t.cell, t.tetrahedron);
+        });
+    }
+
+    double shortest_edge() const {
+        double shortest = kUnlimited;
+        for (const Around& t : around_) {
+            const CellTetrahedra& cell = cells_[t.cell];
+            for (const int v : cell.corners(t.tetrahedron)) {
+                if (v == t.vertex) continue;
+                shortest =
+                    std::min(shortest, squared_distance(cell.point(v), cell.point(t.vertex)));
+            }
+        }
+        return std::sqrt(shortest);
+    }
+
+    void place(int node, const Vec3& at, std::span<const NodeUse> uses) {
+        surface_.nodes[node].position = at;
+        for (const NodeUse& use : uses) {
+            CellHull& hull = hulls_[use.cell];
+            hull.points[use.vertex] =
+                at + complex_.reduced.translation(hull.images[use.vertex].offset);
+            cells_[use.cell].set_point(use.vertex, hull.points[use.vertex]);
+        }
+        for (const Around& t : around_) cells_[t.cell].update_quality(std::array{t.tetrahedron});
+    }
+
+    const CellComplex& complex_;
+    GrainSurface& surface_;
+    std::vector<CellHull>& hulls_;
+    std::vector<CellTetrahedra>& cells_;
+    std::vector<Around> around_;
+    std::vector<int> star_;
+    StarShape shape_;
+};
+
+std::array<Vec3, 6> ways_in(const FacePlane& plane) {
     const double root = 0.8660254037844386;
-    const FacePlane plane = face_plane(complex_, at.carrier);
-    const Vec3 left = half * plane.x + root * plane.y;
-    const Vec3 right = half * plane.x - root * plane.y;
+    const Vec3 left = 0.5 * plane.x + root * plane.y;
+    const Vec3 right = 0.5 * plane.x - root * plane.y;
     return {plane.x, left, -right, -plane.x, -left, right};
 }
 
-void SharedMoves::collect_stars(int node) {
-    around_.clear();
-    for (const Use& use : uses_[node]) {
-        const CellTetrahedra& cell = cells_[use.cell];
-        cell.find_star(use.vertex, star_);
-        for (const int t : star_) around_.push_back({cell.quality(t), use.cell, t});
+std::array<Vec3, 2> ways_along(const CellComplex& complex, const CellEdge& edge) {
+    const Vec3 along = unit_vector(complex.position(edge.to) - complex.position(edge.from));
+    return {along, -along};
+}
+
+}  // namespace
+
+SharedMoves::SharedMoves(const CellComplex& complex, GrainSurface& surface,
+                         std::vector<CellHull>& hulls, std::vector<CellTetrahedra>& cells,
+                         Workers& workers)
+    : complex_(complex),
+      surface_(surface),
+      hulls_(hulls),
+      cells_(cells),
+      workers_(workers),
+      uses_(surface.nodes.size()),
+      face_nodes_(complex.faces.size()) {
+    for (int c = 0; c < static_cast<int>(hulls.size()); ++c) {
+        const std::vector<NodeImage>& images = hulls[c].images;
+        for (int v = 0; v < static_cast<int>(images.size()); ++v) {
+            uses_[images[v].vertex].push_back({c, v});
+        }
     }
-    // The worst come first, since most probes fail there.
-    std::sort(around_.begin(), around_.end(), [](const Around& s, const Around& t) {
-        return std::tie(s.quality, s.cell, s.tetrahedron) <
-               std::tie(t.quality, t.cell, t.tetrahedron);
+    for (int node = 0; node < static_cast<int>(surface.nodes.size()); ++node) {
+        const SurfaceNode& at = surface.nodes[node];
+        if (at.dimension == 2) face_nodes_[at.carrier].push_back(node);
+    }
+    std::vector<std::vector<int>> cells_of;
+    for (const CellFace& face : complex.faces) cells_of.push_back({face.cell, face.neighbour});
+    faces_ = independent_groups(cells_of, complex.n_cells);
+    cells_of.clear();
+    for (const CellEdge& edge : surface.edges.edges) {
+        std::vector<int>& its = cells_of.emplace_back();
+        for (const int f : edge.faces) {
+            its.insert(its.end(), {complex.faces[f].cell, complex.faces[f].neighbour});
+        }
+    }
+    edges_ = independent_groups(cells_of, complex.n_cells);
+}
+
+template <class Task>
+void SharedMoves::for_each_of(const Groups& groups, const Task& task) {
+    for (const std::vector<int>& group : groups) {
+        workers_.for_each(static_cast<int>(group.size()), [&](int k) { task(group[k]); });
+    }
+}
+
+void SharedMoves::flip_edges() {
+    for_each_of(faces_, [&](int f) { FaceFlips(complex_, surface_, hulls_, cells_, f).run(); });
+}
+
+void SharedMoves::move_nodes() {
+    for_each_of(edges_, [&](int e) {
+        NodeMoves moves(complex_, surface_, hulls_, cells_);
+        const std::array<Vec3, 2> ways = ways_along(complex_, surface_.edges.edges[e]);
+        for (const int node : surface_.edge_nodes[e]) moves.move(node, uses_[node], ways);
     });
-}
-
-void SharedMoves::place(int node, const Vec3& at) {
-    surface_.nodes[node].position = at;
-    for (const Use& use : uses_[node]) {
-        CellHull& hull = hulls_[use.cell];
-        hull.points[use.vertex] = at + complex_.reduced.translation(hull.images[use.vertex].offset);
-        cells_[use.cell].set_point(use.vertex, hull.points[use.vertex]);
-    }
-}
-
-/// The smallest sine round all images of a node at another place, where it stays.
-double SharedMoves::worst_with(int node, const Vec3& at, double least) {
-    place(node, at);
-    double worst = kUnlimited;
-    for (const Around& t : around_) {
-        const CellTetrahedra& cell = cells_[t.cell];
-        const FourCorners& c = cell.corners(t.tetrahedron);
-        worst = std::min(worst, smallest_sine(cell.point(c[0]), cell.point(c[1]), cell.point(c[2]),
-                                              cell.point(c[3])));
-        if (worst <= least) break;
-    }
-    return worst;
-}
-
-bool SharedMoves::move(int node) {
-    if (surface_.nodes[node].dimension == 0) return false;
-    collect_stars(node);
-    const double start = around_[0].quality;
-    if (start > kTargetSine) return false;
-    const Vec3 from = surface_.nodes[node].position;
-    double shortest = kUnlimited;
-    for (const Use& use : uses_[node]) {
-        const CellTetrahedra& cell = cells_[use.cell];
-        cell.find_star(use.vertex, star_);
-        for (const int t : star_) {
-            for (const int v : cell.corners(t)) {
-                if (v == use.vertex) continue;
-                shortest =
-                    std::min(shortest, squared_distance(cell.point(v), cell.point(use.vertex)));
-            }
-        }
-    }
-    shortest = std::sqrt(shortest);
-    double best = start;
-    Vec3 x = from;
-    const std::vector<Vec3> ways = directions(node);
-    for (double step = kFirstSharedStep; step > kLastSharedStep; step /= 2) {
-        for (const Vec3& way : ways) {
-            const Vec3 probe = x + step * shortest * way;
-            const double worst = worst_with(node, probe, best);
-            if (worst > best + kSharedProbeGain) {
-                best = worst;
-                x = probe;
-            }
-        }
-    }
-    if (best <= start + kGain) x = from;
-    place(node, x);
-    for (const Around& t : around_) cells_[t.cell].update_quality(std::array{t.tetrahedron});
-    return x != from;
+    for_each_of(faces_, [&](int f) {
+        NodeMoves moves(complex_, surface_, hulls_, cells_);
+        const std::array<Vec3, 6> ways = ways_in(face_plane(complex_, f));
+        for (const int node : face_nodes_[f]) moves.move(node, uses_[node], ways);
+    });
 }
 
 }  // namespace pcvt::space

@@ -7,8 +7,8 @@
 
 namespace pcvt::space {
 
-/// The shapes of the tetrahedra at one vertex while it moves, or at all images of one node: eight at
-/// a time, with all that does not move computed once.
+/// The shapes of the tetrahedra at one vertex while it moves, or at all images of one node: eight
+/// at a time, with all that does not move computed once.
 ///
 /// Example usage:
 ///     StarShape shape;

@@ -158,7 +158,7 @@ bool TetrahedronFlips::open_ring(int start, int a, int b, int last, FlipPlan& pl
     }
 }
 
-bool TetrahedronFlips::plan_on_hull(int a, int b, int c, int d, FlipPlan& plan) {
+bool TetrahedronFlips::find_ring_on_hull(int a, int b, int c, int d, FlipPlan& plan) {
     begin(plan);
     cell_.find_star(a, star_);
     // The tetrahedron behind the triangle (a, b, c) of the hull.
@@ -172,7 +172,12 @@ bool TetrahedronFlips::plan_on_hull(int a, int b, int c, int d, FlipPlan& plan) 
     if (volume6(cell_.point(a), cell_.point(b), cell_.point(ring_[0]), cell_.point(ring_[1])) < 0) {
         std::swap(a, b);
     }
-    return triangulate_ring(a, b, 0, plan);
+    edge_ = {a, b};
+    return true;
+}
+
+bool TetrahedronFlips::fill_ring_on_hull(double least, FlipPlan& plan) {
+    return triangulate_ring(edge_[0], edge_[1], least, plan);
 }
 
 }  // namespace pcvt::space

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "mesher/space/grains/cell_tetrahedra.hpp"
@@ -16,8 +17,6 @@ struct FlipPlan {
     std::vector<FourCorners> fresh = {};
     double before = 0;
     double after = 0;
-
-    bool gains() const { return after > before + 1e-9; }
 };
 
 /// Replaces tetrahedra where that raises the smallest sine.
@@ -34,10 +33,13 @@ class TetrahedronFlips {
     /// @returns whether the tetrahedron was replaced.
     bool flip_at(int t);
 
-    /// Plans to replace the edge (a, b) of the hull, which triangles (a, b, c) and (a, b, d) of the
-    /// hull share, by the edge (c, d).
-    /// @returns false if no valid tetrahedra are left there.
-    bool plan_on_hull(int a, int b, int c, int d, FlipPlan& plan);
+    /// Finds the tetrahedra round the edge (a, b) of the hull, which triangles (a, b, c) and
+    /// (a, b, d) of the hull share, in order to replace it by the edge (c, d).
+    /// @returns false if they are too many.
+    bool find_ring_on_hull(int a, int b, int c, int d, FlipPlan& plan);
+    /// Plans the best tetrahedra in the place of the last ones that find_ring_on_hull() found.
+    /// @returns false if their smallest sine is not above `least`.
+    bool fill_ring_on_hull(double least, FlipPlan& plan);
 
    private:
     bool remove_edge(int t, int i, int j);
@@ -53,6 +55,7 @@ class TetrahedronFlips {
 
     CellTetrahedra& cell_;
     std::vector<int> ring_;
+    std::array<int, 2> edge_ = {};
     std::vector<int> star_;
     FlipPlan plan_;
 };

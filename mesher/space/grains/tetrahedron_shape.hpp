@@ -44,8 +44,8 @@ inline Vec3 unit_vector(const Vec3& a) { return a / length(a); }
 }
 
 /// The smallest sine of the six dihedral angles; negative where the tetrahedron is turned over, and
-/// where a face has no area. The sine at edge kl is 6 V |kl| / (4 A_i A_j), A_i and A_j the areas of
-/// the faces that meet there; all six share the denominator A_0 A_1 A_2 A_3.
+/// where a face has no area. The sine at edge kl is 6 V |kl| / (4 A_i A_j), A_i and A_j the areas
+/// of the faces that meet there; all six share the denominator A_0 A_1 A_2 A_3.
 [[gnu::always_inline]] inline double smallest_sine(const Vec3& a, const Vec3& b, const Vec3& c,
                                                    const Vec3& d) {
     const Vec3 ab = difference(b, a);
@@ -60,10 +60,10 @@ inline Vec3 unit_vector(const Vec3& a) { return a / length(a); }
     const double d_face = squared_length(normal_d);
     const double bases = a_face * b_face;
     const double sides = c_face * d_face;
-    const double least = std::min(
-        {squared_distance(d, c) * sides, squared_length(ab) * bases,
-         squared_length(bd) * (b_face * d_face), squared_length(bc) * (b_face * c_face),
-         squared_length(ad) * (a_face * d_face), squared_length(ac) * (a_face * c_face)});
+    const double least =
+        std::min({squared_distance(d, c) * sides, squared_length(ab) * bases,
+                  squared_length(bd) * (b_face * d_face), squared_length(bc) * (b_face * c_face),
+                  squared_length(ad) * (a_face * d_face), squared_length(ac) * (a_face * c_face)});
     const double product = bases * sides;
     return product > 0 ? dot_product(normal_d, ad) * std::sqrt(least / product) : -1;
 }

@@ -19,21 +19,20 @@ constexpr double kFirstStep = 0.25;
 constexpr int kStepLengths = 3;
 constexpr double kDiagonal = 0.5773502691896258;
 /// The lattice directions of a pattern search: the axes and the diagonals of a cube.
-const std::array<Vec3, 14> kSearchDirections{
-    Vec3(1, 0, 0),
-    Vec3(-1, 0, 0),
-    Vec3(0, 1, 0),
-    Vec3(0, -1, 0),
-    Vec3(0, 0, 1),
-    Vec3(0, 0, -1),
-    Vec3(kDiagonal, kDiagonal, kDiagonal),
-    Vec3(-kDiagonal, kDiagonal, kDiagonal),
-    Vec3(kDiagonal, -kDiagonal, kDiagonal),
-    Vec3(-kDiagonal, -kDiagonal, kDiagonal),
-    Vec3(kDiagonal, kDiagonal, -kDiagonal),
-    Vec3(-kDiagonal, kDiagonal, -kDiagonal),
-    Vec3(kDiagonal, -kDiagonal, -kDiagonal),
-    Vec3(-kDiagonal, -kDiagonal, -kDiagonal)};
+const std::array<Vec3, 14> kSearchDirections{Vec3(1, 0, 0),
+                                             Vec3(-1, 0, 0),
+                                             Vec3(0, 1, 0),
+                                             Vec3(0, -1, 0),
+                                             Vec3(0, 0, 1),
+                                             Vec3(0, 0, -1),
+                                             Vec3(kDiagonal, kDiagonal, kDiagonal),
+                                             Vec3(-kDiagonal, kDiagonal, kDiagonal),
+                                             Vec3(kDiagonal, -kDiagonal, kDiagonal),
+                                             Vec3(-kDiagonal, -kDiagonal, kDiagonal),
+                                             Vec3(kDiagonal, kDiagonal, -kDiagonal),
+                                             Vec3(-kDiagonal, kDiagonal, -kDiagonal),
+                                             Vec3(kDiagonal, -kDiagonal, -kDiagonal),
+                                             Vec3(-kDiagonal, -kDiagonal, -kDiagonal)};
 
 }  // namespace
 
@@ -65,8 +64,8 @@ void VertexMoves::relax_vertex(int v) {
     cell_.note_failure(CellTetrahedra::kRelaxation, v);
 }
 
-/// The mean of the corners of the star, weighted by their tetrahedra, and the length of the shortest
-/// edge at v; both from v.
+/// The mean of the corners of the star, weighted by their tetrahedra, and the length of the
+/// shortest edge at v; both from v.
 std::pair<Vec3, double> VertexMoves::middle_of_star(int v) const {
     Vec3 sum = Vec3::Zero();
     double shortest = kUnlimited;
