@@ -291,12 +291,12 @@ char* write_decimal(char* begin, char* end, double value, std::chars_format form
 std::from_chars_result read_decimal(const char* begin, const char* end, double& value) {
     const char* const stop = end_of_number(begin, end);
     if (stop == begin) return {begin, std::errc::invalid_argument};
+    const std::string text(begin, stop);
     const bool is_negative = *begin == '-';
-    if (const auto soon = soon_read({begin + is_negative, stop})) {
+    if (const auto soon = soon_read(std::string_view(text).substr(is_negative ? 1 : 0))) {
         value = is_negative ? -*soon : *soon;
         return {stop, std::errc()};
     }
-    const std::string text(begin, stop);
     const double number = std::strtod(text.c_str(), nullptr);
     const bool is_zero =
         text.substr(0, text.find_first_of("eE")).find_first_of("123456789") == std::string::npos;
