@@ -2,16 +2,41 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "mesher/portable/decimal_text.hpp"
+#include "mesher/portable/wide_double.hpp"
 
 namespace pcvt::by_c {
 namespace {
+
+/// The powers of ten that doubles hold exactly.
+constexpr std::array<double, 23> kPowers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                         1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                         1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr int kMostPower = 22;
+
+/// The double that is nearest to digits * 10^power, where that takes only a few operations.
+std::optional<double> nearest_number(std::uint64_t digits, int power) {
+    if (std::abs(power) > kMostPower) return {};
+    const auto upper = static_cast<double>(digits >> 32U) * 0x1p32;
+    const auto lower = static_cast<double>(digits & 0xffffffffU);
+    const WideDouble whole = WideDouble(upper) + lower;
+    const double scale = kPowers[static_cast<std::size_t>(std::abs(power))];
+    const WideDouble number = power < 0 ? whole / scale : whole * scale;
+    // The next number may be as near where the rest is about half of a unit in the last place.
+    constexpr double kMore = 1 + 0x1p-30;
+    const auto nearest = static_cast<double>(number);
+    const auto rest = static_cast<double>(number - nearest);
+    if (nearest + kMore * rest != nearest) return {};
+    return nearest;
+}
 
 /// The significant digits of a positive number, without zeros at the end: d[0].d[1]d[2]... times
 /// 10^exponent.
@@ -35,6 +60,19 @@ Digits digits_of(std::string_view text) {
     return found;
 }
 
+/// The same of a whole number and a power of ten.
+Digits digits_of(std::uint64_t whole, int power) {
+    Digits found;
+    while (whole % 10 == 0) {
+        whole /= 10;
+        ++power;
+    }
+    const auto end = std::to_chars(found.digits.begin(), found.digits.end(), whole).ptr;
+    found.n = static_cast<std::size_t>(end - found.digits.data());
+    found.exponent = power + static_cast<int>(found.n) - 1;
+    return found;
+}
+
 template <class Number>
 Number read_back(const char* text) {
     if constexpr (sizeof(Number) == sizeof(float)) return std::strtof(text, nullptr);
@@ -54,6 +92,55 @@ void add_unit(std::array<char, 40>& text) {
     }
 }
 
+/// Whether digits * 10^power reads back as `value`, where that takes only a few operations.
+std::optional<bool> reads_back(std::uint64_t digits, int power, double value) {
+    const std::optional<double> number = nearest_number(digits, power);
+    if (!number) return {};
+    return *number == value;
+}
+
+std::optional<bool> reads_back(std::uint64_t digits, int power, float value) {
+    const std::optional<double> number = nearest_number(digits, power);
+    if (!number) return {};
+    // A double in the middle of two floats is a rounded one.
+    const auto below = static_cast<float>(*number);
+    for (const float next : {std::nextafter(below, 0.0F), std::nextafter(below, 2 * below)}) {
+        if (*number == (double(below) + double(next)) / 2) return {};
+    }
+    return below == value;
+}
+
+/// As shortest(), for most numbers near one in a few operations.
+template <class Number>
+std::optional<Digits> soon_shortest(Number value) {
+    constexpr double kTie = 1e-9;  // more than the error of 17 digits by WideDouble
+    using Limits = std::numeric_limits<Number>;
+    int bits = 0;
+    if (std::frexp(value, &bits) == Number(0.5)) return {};
+    int exponent = static_cast<int>(std::floor(bits * 0.30103));
+    for (int n = Limits::digits10; n <= Limits::max_digits10; ++n) {
+        // Round to n digits.
+        int power = n - 1 - exponent;
+        if (power < 0 || power >= kMostPower) return {};
+        WideDouble scaled = WideDouble(value) * kPowers[static_cast<std::size_t>(power)];
+        if (double(scaled) < kPowers[static_cast<std::size_t>(n - 1)]) {
+            --exponent;
+            scaled = WideDouble(value) * kPowers[static_cast<std::size_t>(++power)];
+        }
+        const double floor = std::floor(double(scaled));
+        const auto rest = double(scaled - floor);
+        const double fraction = rest - std::floor(rest);
+        if (std::abs(fraction - 0.5) < kTie) return {};
+        const auto digits =
+            static_cast<std::uint64_t>(static_cast<std::int64_t>(floor) + std::llround(rest));
+        // Look whether they suffice.
+        const std::optional<bool> suffices = reads_back(digits, -power, value);
+        if (!suffices) return {};
+        if (*suffices) return digits_of(digits, -power);
+    }
+    return {};
+}
+
 /// The fewest digits that read back as `value`, and of these the nearest ones.
 ///
 /// Every decimal number with digits10 digits survives the way to a normal number and back, so
@@ -62,6 +149,7 @@ void add_unit(std::array<char, 40>& text) {
 template <class Number>
 Digits shortest(Number value) {
     using Limits = std::numeric_limits<Number>;
+    if (const std::optional<Digits> soon = soon_shortest(value)) return *soon;
     std::array<char, 40> text;
     int fraction = 0;
     const int first = value < Limits::min() ? 1 : Limits::digits10;
@@ -156,6 +244,26 @@ const char* end_of_number(const char* begin, const char* end) {
     return stop == exponent ? at : stop;
 }
 
+/// The number of a text without signs and exponent, where it takes only a few operations.
+std::optional<double> soon_read(std::string_view text) {
+    constexpr int kMostDigits = 19;
+    std::uint64_t digits = 0;
+    int n = 0;
+    int power = 0;
+    bool has_point = false;
+    for (const char c : text) {
+        if (c == '.') {
+            has_point = true;
+            continue;
+        }
+        if (!is_digit(c) || n == kMostDigits) return {};
+        digits = 10 * digits + static_cast<std::uint64_t>(c - '0');
+        n += digits > 0 ? 1 : 0;
+        power -= has_point ? 1 : 0;
+    }
+    return nearest_number(digits, power);
+}
+
 }  // namespace
 
 char* write_decimal(char* begin, char* /*end*/, double value) {
@@ -184,6 +292,11 @@ std::from_chars_result read_decimal(const char* begin, const char* end, double& 
     const char* const stop = end_of_number(begin, end);
     if (stop == begin) return {begin, std::errc::invalid_argument};
     const std::string text(begin, stop);
+    const bool is_negative = *begin == '-';
+    if (const auto soon = soon_read(std::string_view(text).substr(is_negative ? 1 : 0))) {
+        value = is_negative ? -*soon : *soon;
+        return {stop, std::errc()};
+    }
     const double number = std::strtod(text.c_str(), nullptr);
     const bool is_zero =
         text.substr(0, text.find_first_of("eE")).find_first_of("123456789") == std::string::npos;

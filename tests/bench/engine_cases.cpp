@@ -15,9 +15,10 @@ namespace pcvt::bench {
 namespace {
 
 /// Runs until the RMS residual is at most `rms`.
-plane::CvtResult run_to_rms(const Input& input, double rms, const ProgressCallback& look = {}) {
+plane::CvtResult run_to_rms(const Input& input, double rms, const ProgressCallback& look = {},
+                            Solver solver = Solver::kPlainLbfgs) {
     plane::CvtOptions options;
-    options.run.solver = Solver::kPlainLbfgs;
+    options.run.solver = solver;
     options.run.tolerance = 0;
     options.run.progress = [&](const Progress& progress) {
         if (look) look(progress);
@@ -90,6 +91,17 @@ void add_iteration(const Input& input) {
     add_case("iteration", input, body)->UseManualTime()->Iterations(1);
 }
 
+/// A run with the usual solver, which preconditions long waves towards its end.
+void add_usual_run(const Input& input) {
+    const auto body = [=](benchmark::State& state) {
+        for ([[maybe_unused]] auto _ : state) {
+            const plane::CvtResult result = run_to_rms(input, kEnd, {}, Solver::kLbfgs);
+            state.counters["iterations"] = result.run.iterations;
+        }
+    };
+    add_case("usual_run", input, body)->Iterations(1);
+}
+
 /// The same run with a new mirror diagram for each evaluation.
 void add_mirror_run(const Input& input) {
     const auto body = [=](benchmark::State& state) {
@@ -153,11 +165,12 @@ void add_small_runs(const Input& input) {
 void add_engine_cases(const Input& input) {
     add_build(input);
     add_evaluation(input);
-    if (input.lattice_name == "unit" && input.n == 100'000) {
+    if (input.lattice_name == "unit" && input.n >= 100'000) {
         const auto body = [=](benchmark::State& state) { evaluate_repeatedly(state, input, 2); };
         add_case("evaluation_2_threads", input, body)->UseRealTime();
     }
     add_iteration(input);
+    if (input.lattice_name == "unit" && input.n == 100'000) add_usual_run(input);
     if (input.lattice_name == "unit" && input.n == 10'000) add_mirror_run(input);
 }
 

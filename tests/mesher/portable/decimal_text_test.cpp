@@ -51,6 +51,12 @@ std::vector<double> numbers(int n) {
             all.push_back(x);
         }
     }
+    for (int k = -30; k < 30; ++k) {
+        const double power = std::strtod(("1e" + std::to_string(k)).c_str(), nullptr);
+        for (const double x : {power, std::nextafter(power, 0.0), std::nextafter(power, 1e308)}) {
+            all.push_back(x);
+        }
+    }
     while (static_cast<int>(all.size()) < n) {
         const auto bits = random();
         const auto x = Eigen::numext::bit_cast<double>(bits);
@@ -93,6 +99,15 @@ TEST(DecimalText, NumberEndAndErrorAreThoseOfTheStandardLibrary) {
         "1e",  "1e+",   "1e-x",  "1e400", "-1e400", "1e-400", "0e999",  "0.0e9",  "0x10",
         "1,5", "1.5.2", "1e5e5", "00012", "-0",     "1E-3",   "1e-324", "3e-324", "2e308"};
     for (const double x : numbers(100'000)) texts.push_back(by_standard(x) + "x");
+    // Add the middles between numbers, with up to 20 digits, and their neighbours.
+    for (const std::uint64_t x : {1ULL << 53U, 3ULL << 55U, 5ULL << 59U, 1ULL << 63U}) {
+        for (std::uint64_t y = x; y < x + 3000; y += 1 + y % 7) texts.push_back(std::to_string(y));
+    }
+    std::mt19937_64 random(8);
+    for (int k = 0; k < 20'000; ++k) {
+        std::string text = std::to_string(random() >> (random() % 40));
+        texts.push_back(text.insert(random() % text.size(), "."));
+    }
     for (const std::string& text : texts) {
         double expected = 42;
         double found = 42;
