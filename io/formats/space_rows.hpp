@@ -19,6 +19,7 @@
 #include "io/openfoam/foam_text.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/pictures/space_picture.hpp"
+#include "io/solvers/inp_tetrahedra.hpp"
 #include "io/solvers/msh_tetrahedra.hpp"
 #include "io/solvers/msh_writer.hpp"
 #include "io/solvers/vtu_volumes.hpp"

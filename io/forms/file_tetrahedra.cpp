@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "io/bytes/bad_file.hpp"
+#include "io/forms/entity_mesh.hpp"
 #include "mesher/base/cancellable_sort.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/space/mesh/midside_nodes.hpp"
@@ -100,6 +102,32 @@ void place_tetrahedra(const FileTetrahedra& found, space::TetrahedralMesh& mesh)
     mesh.order = 2;
     mesh.points.resize(n);
     if (!mesh.point_site.empty()) mesh.point_site.resize(n);
+}
+
+std::vector<space::Vec3> points_by_number(const std::string& name,
+                                          const std::vector<NumberedPoint>& nodes) {
+    std::vector<space::Vec3> points(nodes.size());
+    std::vector<char> is_known(nodes.size(), 0);
+    for (const auto& [number, line, position] : nodes) {
+        const std::string place = name + ":" + std::to_string(line) + ": ";
+        if (number < 1 || std::cmp_greater(number, points.size())) {
+            throw BadFile(place + std::to_string(number) + " is not a number from 1 to " +
+                          std::to_string(points.size()) + "; correct it");
+        }
+        if (std::exchange(is_known[number - 1], 1) != 0) {
+            throw BadFile(place + "node " + std::to_string(number) + " occurs twice");
+        }
+        points[number - 1] = {position[0], position[1], position[2]};
+    }
+    return points;
+}
+
+bool states_tetrahedra(std::string_view text) {
+    const std::string comment = "pcvt kind " + std::string(kTetrahedraKind);
+    const std::size_t at = text.find(comment);
+    if (at == std::string_view::npos) return false;
+    const std::string_view rest = text.substr(at + comment.size());
+    return rest.starts_with('\n') || rest.starts_with('\r');
 }
 
 void require_sorted_cells(const std::string& name, const space::TetrahedralMesh& mesh) {

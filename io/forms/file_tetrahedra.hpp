@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/forms/element_mesh.hpp"
@@ -37,6 +39,23 @@ struct TetrahedralTile {
     space::TetrahedralMesh mesh;
     CellMaterials materials = {};
 };
+
+/// A node of a file by its number, which counts from 1.
+struct NumberedPoint {
+    int number;
+    int line;
+    /// Length units.
+    std::array<double, 3> position;
+};
+
+/// Returns the positions by rising numbers.
+/// @param name  of the file, for messages.
+/// @throws BadFile  unless the numbers are 1 ... n, each once.
+std::vector<space::Vec3> points_by_number(const std::string& name,
+                                          const std::vector<NumberedPoint>& nodes);
+
+/// Returns whether a file of text holds tetrahedra of pcvt: its comments state that kind.
+bool states_tetrahedra(std::string_view text);
 
 /// Requires that the tetrahedra inside of cells come cell by cell, without a gap.
 /// @throws BadFile  naming the file.

@@ -1,7 +1,6 @@
 #include "io/solvers/msh_tetrahedra.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -16,8 +15,6 @@
 
 namespace pcvt {
 namespace {
-
-constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 class TetrahedraParser final : public MshSections {
    public:
@@ -45,12 +42,6 @@ class TetrahedraParser final : public MshSections {
     }
 
    private:
-    struct Node {
-        int number;
-        int line;
-        Position position;
-    };
-
     /// Requires a site for each corner; nodes in the middle of edges have none.
     void require_sites() const {
         const std::vector<SiteId>& sites = mesh_->point_site;
@@ -85,20 +76,7 @@ class TetrahedraParser final : public MshSections {
     }
 
     void end_nodes() override {
-        std::vector<space::Vec3>& points = mesh().points;
-        points.assign(nodes_.size(), space::Vec3::Constant(kNowhere));
-        for (const auto& [number, line, position] : nodes_) {
-            const std::string place = name() + ":" + std::to_string(line) + ": ";
-            if (number < 1 || std::cmp_greater(number, points.size())) {
-                throw BadFile(place + std::to_string(number) + " is not a number from 1 to " +
-                              std::to_string(points.size()) + "; correct it");
-            }
-            space::Vec3& point = points[number - 1];
-            if (point.x() != kNowhere) {
-                throw BadFile(place + "node " + std::to_string(number) + " occurs twice");
-            }
-            point = {position[0], position[1], position[2]};
-        }
+        mesh().points = points_by_number(name(), nodes_);
     }
 
     /// Returns the number of a node minus 1.
@@ -172,17 +150,13 @@ class TetrahedraParser final : public MshSections {
     std::optional<space::TetrahedralMesh> mesh_;
     FileTetrahedra found_{.index_base = 1};
     CellMaterials materials_;
-    std::vector<Node> nodes_;
+    std::vector<NumberedPoint> nodes_;
 };
 
 }  // namespace
 
 bool holds_msh_tetrahedra(const EncodedFile& msh) {
-    const std::string comment = "pcvt kind " + std::string(kTetrahedraKind);
-    const std::size_t at = msh.bytes.find(comment);
-    if (at == std::string::npos) return false;
-    const char next = msh.bytes[at + comment.size()];
-    return next == '\n' || next == '\r';
+    return states_tetrahedra(msh.bytes);
 }
 
 TetrahedralTile decode_msh_tetrahedra(const EncodedFile& msh) {
