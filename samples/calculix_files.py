@@ -56,7 +56,7 @@ def included_files(path, remedy):
 
 
 def require_volumes(data, volumes, job, areas):
-    """Refuses the volumes of elements that ccx printed for another mesh than that of the job, a layer of thickness 1.
+    """Refuses the volumes of elements that ccx printed for another mesh than that of the job, in the plane of thickness 1.
 
     Both are by element; elements that only one of them has do not count.
     """
@@ -77,3 +77,8 @@ def require_newer(data, job, files):
 
 def triangle_area(a, b, c):
     return ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2
+
+
+def tetrahedron_volume(a, b, c, d):
+    (ux, uy, uz), (vx, vy, vz), (wx, wy, wz) = ([q - p for p, q in zip(a, end)] for end in (b, c, d))
+    return (ux * (vy * wz - vz * wy) - uy * (vx * wz - vz * wx) + uz * (vx * wy - vy * wx)) / 6

@@ -1,5 +1,7 @@
 #include "io/formats/space_file_proof.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "io/bytes/bad_file.hpp"
@@ -127,6 +129,28 @@ bool holds_same_cells(const std::vector<EncodedFile>& files, const SpaceTile& ti
            found.mesh.point_offset == tile.mesh.point_offset;
 }
 
+/// The part of the materials that a format of tetrahedra states.
+CellMaterials held_materials(const SpaceFormat& format, const CellMaterials* materials) {
+    if (materials == nullptr || !format.states_materials) return {};
+    CellMaterials held = *materials;
+    if (!format.takes.orientations) held.site_orientation.clear();
+    return held;
+}
+
+/// Whether positions are equal, or, in a format that rounds them, within an ulp of the largest
+/// coordinate.
+bool same_positions(const std::vector<space::Vec3>& found, const std::vector<space::Vec3>& wanted,
+                    bool are_rounded) {
+    if (!are_rounded || found.size() != wanted.size()) return found == wanted;
+    double largest = 0;
+    double off = 0;
+    for (std::size_t v = 0; v < wanted.size(); ++v) {
+        largest = std::max(largest, wanted[v].lpNorm<Eigen::Infinity>());
+        off = std::max(off, (found[v] - wanted[v]).lpNorm<Eigen::Infinity>());
+    }
+    return off <= std::numeric_limits<double>::epsilon() * largest;
+}
+
 /// Proves files of a tile. @returns whether they hold it.
 bool holds_same(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
     switch (space_file_kind(files).value()) {
@@ -183,18 +207,22 @@ void prove_own_space_files(const std::vector<EncodedFile>& files, const SpaceTil
 
 TetrahedralFileProof prove_tetrahedral_file(const EncodedFile& file, double tolerance) {
     const SpaceFormat& format = *find_format(file.path)->space;
-    TetrahedralFileProof result{.mesh = format.decode_tetrahedra(file), .proof = {}};
-    result.proof = prove_tetrahedra(result.mesh, tolerance);
-    format.compare_tetrahedra(file, result.mesh);
+    TetrahedralFileProof result{.tile = format.decode_tetrahedra(file), .proof = {}};
+    result.proof = prove_tetrahedra(result.tile.mesh, tolerance);
+    format.compare_tetrahedra(file, result.tile);
     return result;
 }
 
-void prove_own_tetrahedra(const EncodedFile& file, const space::TetrahedralMesh& mesh) {
+void prove_own_tetrahedra(const EncodedFile& file, const space::TetrahedralMesh& mesh,
+                          const CellMaterials* materials) {
+    const SpaceFormat& format = *find_format(file.path)->space;
     try {
-        const space::TetrahedralMesh found = prove_tetrahedral_file(file).mesh;
-        if (found.points == mesh.points && found.point_site == mesh.point_site &&
-            found.point_offset == mesh.point_offset && found.tetrahedra == mesh.tetrahedra &&
-            found.cell == mesh.cell) {
+        const TetrahedralTile read = prove_tetrahedral_file(file).tile;
+        const space::TetrahedralMesh& found = read.mesh;
+        if (same_positions(found.points, mesh.points, format.rounds_positions) &&
+            found.point_site == mesh.point_site && found.point_offset == mesh.point_offset &&
+            found.tetrahedra == mesh.tetrahedra && found.cell == mesh.cell &&
+            found.order == mesh.order && read.materials == held_materials(format, materials)) {
             return;
         }
     } catch (const InvalidInput& error) {

@@ -52,20 +52,22 @@ void prove_own_space_files(const std::vector<EncodedFile>& files, const SpaceTil
 
 /// The tetrahedra of a file, and the figures that their proof finds.
 struct TetrahedralFileProof {
-    space::TetrahedralMesh mesh;
+    TetrahedralTile tile;
     space::TetrahedralProof proof;
 };
 
-/// Proves all that an MSH or a VTU states: the laws of TetrahedralMesh, the groups and the links of
-/// the seam, the images of points.
+/// Proves all that a file of tetrahedra states: the laws of TetrahedralMesh, the nodes in the middle
+/// of edges, groups, sets, links and equations, the images of points.
 /// @pre space_file_kind({file}) is kTetrahedra.
 /// @param tolerance  least_tolerance of prove_tetrahedra().
 /// @throws BadFile, NotATile as the reader and the proof do.
 TetrahedralFileProof prove_tetrahedral_file(const EncodedFile& file, double tolerance = 0);
 
-/// The same for a file that pcvt is about to write, which must hold `mesh` as well.
+/// The same for a file that pcvt is about to write, which must hold `mesh` as well, and the
+/// materials as far as its format states them.
 /// @throws InternalError  a law is violated: a fault of pcvt.
-void prove_own_tetrahedra(const EncodedFile& file, const space::TetrahedralMesh& mesh);
+void prove_own_tetrahedra(const EncodedFile& file, const space::TetrahedralMesh& mesh,
+                          const CellMaterials* materials = nullptr);
 
 /// Proves that a .txt file holds exactly these sites.
 /// @throws InternalError  another site is read: a fault of pcvt.

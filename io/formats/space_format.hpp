@@ -7,11 +7,12 @@
 
 #include "io/bytes/encoded_file.hpp"
 #include "io/formats/format_choices.hpp"
+#include "io/forms/file_options.hpp"
+#include "io/forms/file_tetrahedra.hpp"
 #include "io/forms/space_tile.hpp"
 #include "io/forms/surface_list.hpp"
 #include "io/voxels/vti_writer.hpp"
 #include "mesher/plane/mesh/mesh_kind.hpp"
-#include "mesher/space/mesh/tetrahedral_mesh.hpp"
 
 namespace pcvt {
 
@@ -50,6 +51,7 @@ struct SpaceFormat {
     std::vector<EncodedFile> (*encode)(const SpaceTile& tile, const FileOptions& options,
                                        const std::string& path) = nullptr;
     std::vector<EncodedFile> (*encode_tetrahedra)(const space::TetrahedralMesh& mesh,
+                                                  const FileOptions& options,
                                                   const std::string& path) = nullptr;
     /// Encodes the cells as voxels of a box; null: the format holds none.
     SpaceVoxelWriter* encode_voxels = nullptr;
@@ -58,11 +60,12 @@ struct SpaceFormat {
     std::optional<SpaceFileKind> (*kind)(const std::vector<EncodedFile>& files) = nullptr;
     /// Reads tetrahedra, and compares all other statements of the file with the values that follow
     /// from them. Set if and only if encode_tetrahedra is set.
-    space::TetrahedralMesh (*decode_tetrahedra)(const EncodedFile& file) = nullptr;
-    void (*compare_tetrahedra)(const EncodedFile& file,
-                               const space::TetrahedralMesh& mesh) = nullptr;
-    /// Whether its cells state SpaceTile::materials.
+    TetrahedralTile (*decode_tetrahedra)(const EncodedFile& file) = nullptr;
+    void (*compare_tetrahedra)(const EncodedFile& file, const TetrahedralTile& tile) = nullptr;
+    /// Whether its cells state their materials.
     bool states_materials = false;
+    /// Whether its coordinates are rounded to the width that solvers read.
+    bool rounds_positions = false;
     /// Whether its cells state SpaceTile::weights and PolyhedralMesh::metric, without which power
     /// cells and elongated cells are not proved.
     bool states_weights = false;

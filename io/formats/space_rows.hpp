@@ -19,6 +19,7 @@
 #include "io/openfoam/foam_text.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/pictures/space_picture.hpp"
+#include "io/solvers/inp_tetrahedra.hpp"
 #include "io/solvers/msh_tetrahedra.hpp"
 #include "io/solvers/msh_writer.hpp"
 #include "io/solvers/vtu_volumes.hpp"
@@ -39,14 +40,20 @@ inline std::vector<EncodedFile> encode_polyhedra(const SpaceTile& tile, const st
     return encode_foam(foam_case(tile), folder);
 }
 
-template <class Mesh>
-std::vector<EncodedFile> encode_grid(const Mesh& mesh, const std::string& path) {
-    return encode_vtu(vtu_grid(mesh), path);
+inline std::vector<EncodedFile> encode_grid(const SpaceTile& tile, const std::string& path) {
+    return encode_vtu(vtu_grid(tile), path);
+}
+
+inline std::vector<EncodedFile> encode_tetrahedra_grid(const space::TetrahedralMesh& mesh,
+                                                       const FileOptions& options,
+                                                       const std::string& path) {
+    return encode_vtu(vtu_grid(mesh, options.materials), path);
 }
 
 inline std::vector<EncodedFile> encode_entities(const space::TetrahedralMesh& mesh,
+                                                const FileOptions& options,
                                                 const std::string& path) {
-    return encode_msh(entity_mesh(mesh), path);
+    return encode_msh(entity_mesh(mesh, options.materials), path);
 }
 
 /// Encodes a picture.

@@ -7,6 +7,7 @@
 #include "io/forms/point_offsets.hpp"
 #include "io/forms/triangle_elements.hpp"
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/space/mesh/midside_nodes.hpp"
 
 namespace pcvt {
 namespace {
@@ -36,6 +37,27 @@ ElementMesh nodes_in_space(const space::Lattice& lattice, const std::vector<spac
     mesh.offsets.reserve(3 * offsets.size());
     for (const auto& [i, j, k] : offsets) mesh.offsets.insert(mesh.offsets.end(), {i, j, k});
     return mesh;
+}
+
+/// Adds the nodes in the middle of edges to tetrahedra with four nodes.
+void add_middles(const space::TetrahedralMesh& tetrahedra, ElementMesh& mesh) {
+    const space::MidsideNodes middles = midside_nodes(tetrahedra);
+    for (const space::Vec3& p : middles.points) mesh.nodes.push_back({p.x(), p.y(), p.z()});
+    mesh.orbit.insert(mesh.orbit.end(), middles.orbit.begin(), middles.orbit.end());
+    for (const auto& [i, j, k] : middles.offset) {
+        mesh.offsets.insert(mesh.offsets.end(), {i, j, k});
+    }
+    if (!mesh.node_site.empty()) mesh.node_site.resize(mesh.nodes.size(), -1);
+    mesh.elements = {.kind = ElementKind::kTetrahedron10};
+    for (int t = 0; t < tetrahedra.n_tetrahedra(); ++t) {
+        checkpoint_each(t);
+        std::vector<int>& nodes = mesh.elements.nodes.corners;
+        const std::array<int, 4>& corners = tetrahedra.tetrahedra[t];
+        const std::array<int, 6>& of_edges = middles.of_tetrahedron[t];
+        nodes.insert(nodes.end(), corners.begin(), corners.end());
+        nodes.insert(nodes.end(), of_edges.begin(), of_edges.end());
+        mesh.elements.nodes.close();
+    }
 }
 
 }  // namespace
@@ -79,6 +101,7 @@ ElementMesh element_mesh(const space::TetrahedralMesh& tetrahedra) {
     } else {
         mesh.element_site = tetrahedra.cell;
     }
+    if (tetrahedra.order == 2) add_middles(tetrahedra, mesh);
     return mesh;
 }
 

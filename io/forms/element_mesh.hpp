@@ -56,7 +56,8 @@ struct ElementMesh {
 /// @throws InternalError if a coordinate is not finite.
 ElementMesh element_mesh(const plane::Tile& tile, const SolverNodes& nodes);
 
-/// Tetrahedra with the sites of their nodes or, inside of cells, with those of their cells.
+/// Tetrahedra with the sites of their nodes or, inside of cells, with those of their cells. Those
+/// of order 2 have ten nodes: the points of the tile come before the nodes in the middle of edges.
 ElementMesh element_mesh(const space::TetrahedralMesh& mesh);
 
 /// Polyhedra: the nodes of each are its points by rising number. Cell s belongs to site s.

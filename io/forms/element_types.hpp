@@ -15,11 +15,13 @@ enum class ElementKind {
     kTriangle3,
     kTriangle6,
     kTetrahedron4,
+    kTetrahedron10,
     kPolyhedron
 };
 
 /// One row of the table of elements. The corners come first among the nodes of an element; then
-/// follow the nodes in the middle of its edges, in the order of Gmsh, VTK, Abaqus and CalculiX.
+/// follow the nodes in the middle of its edges, in the order of VTK, Abaqus and CalculiX. Gmsh has
+/// the same order, but for exchanges_last.
 struct ElementType {
     ElementKind kind;
     int dimension;
@@ -31,6 +33,14 @@ struct ElementType {
     int vtk;
     std::string_view word;
     std::string_view words;
+    /// Gmsh's files exchange the last two nodes.
+    bool exchanges_last = false;
+
+    /// The node at place k in Gmsh's files, and the place there of node k.
+    constexpr std::size_t place_in_msh(std::size_t k) const {
+        const auto n = static_cast<std::size_t>(n_nodes);
+        return exchanges_last && k + 2 >= n ? 2 * n - 3 - k : k;
+    }
 };
 
 inline constexpr std::array kElementTypes{
@@ -41,6 +51,8 @@ inline constexpr std::array kElementTypes{
     ElementType{ElementKind::kTriangle3, 2, 3, 3, 2, 5, "triangle", "triangles"},
     ElementType{ElementKind::kTriangle6, 2, 3, 6, 9, 22, "triangle", "quadratic triangles"},
     ElementType{ElementKind::kTetrahedron4, 3, 4, 4, 4, 10, "tetrahedron", "tetrahedra"},
+    ElementType{ElementKind::kTetrahedron10, 3, 4, 10, 11, 24, "tetrahedron",
+                "quadratic tetrahedra", true},
     ElementType{ElementKind::kPolyhedron, 3, 0, 0, 0, 42, "polyhedron", "polyhedra"},
 };
 

@@ -10,12 +10,12 @@ namespace pcvt {
 namespace {
 
 /// The beginnings of the names of the sets that pcvt writes.
-constexpr std::array<std::string_view, 9> kSets{"CELL_",          "SEAM_",         "WALL_",
-                                                "FIXED",          "EALL",          "NALL",
-                                                "GRAIN_BOUNDARY", "TRIPLE_POINTS", "CONTROL_"};
+constexpr std::array<std::string_view, 11> kSets{
+    "CELL_",          "SEAM_",         "WALL_",        "FIXED",            "EALL",    "NALL",
+    "GRAIN_BOUNDARY", "TRIPLE_POINTS", "TRIPLE_LINES", "QUADRUPLE_POINTS", "CONTROL_"};
 /// The beginnings of the cards that follow from the materials of a file, where it states them.
-constexpr std::array<std::string_view, 3> kMaterialCards{"*ELSET,ELSET=PHASE_", "*ORIENTATION,",
-                                                         "*SOLIDSECTION,"};
+constexpr std::array<std::string_view, 4> kMaterialCards{
+    "*ELSET,ELSET=PHASE_", "*SURFACE,NAME=PHASE_", "*ORIENTATION,", "*SOLIDSECTION,"};
 
 /// The beginning of the cards that follow from the orbits of a file, where it states them.
 constexpr std::string_view kOrbitCard = "*ELSET,ELSET=ORBIT_";
@@ -100,8 +100,8 @@ std::optional<FileFields> inp_fields(const std::string& name, std::string_view t
     FileFields fields{.name = name};
     LineScanner scanner(name, text);
     std::vector<FileWord>* words = nullptr;
-    // The positions of nodes are proved as those of the tile; those of CONTROL_1 and CONTROL_2 are
-    // not among them.
+    // The positions of nodes are proved as those of the tile; those of control nodes are not among
+    // them.
     bool numbers_alone = false;
     bool has_materials = false;
     bool has_orbits = false;

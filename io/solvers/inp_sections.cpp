@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "io/bytes/text.hpp"
+#include "io/forms/note_table.hpp"
 #include "io/solvers/fixed_width_numbers.hpp"
 #include "io/solvers/inp_fields.hpp"
 #include "mesher/base/error.hpp"
@@ -64,16 +65,17 @@ constexpr const char* kCubic =
     "** Materials: edit the constants. The default is iron in MPa, cubic along the axes of each\n"
     "** crystal: C11, C12, C11, C12, C12, C11, C44, C44 and, on a line of its own, C44.\n";
 
-/// The components of the mean strain in one step.
+/// The component of the mean strain in one step that is not 0.
 struct LoadCase {
     const char* name;
-    const char* xx;
-    const char* yy;
-    const char* xy;
+    int i;
+    int j;
 };
-constexpr std::array kLoadCases{LoadCase{"e_xx = 1", "1.", "0.", "0."},
-                                LoadCase{"e_yy = 1", "0.", "1.", "0."},
-                                LoadCase{"e_xy = 1/2", "0.", "0.", "0.5"}};
+constexpr std::array kPlaneLoadCases{LoadCase{"e_xx = 1", 1, 1}, LoadCase{"e_yy = 1", 2, 2},
+                                     LoadCase{"e_xy = 1/2", 1, 2}};
+constexpr std::array kSpaceLoadCases{LoadCase{"e_xx = 1", 1, 1},   LoadCase{"e_yy = 1", 2, 2},
+                                     LoadCase{"e_zz = 1", 3, 3},   LoadCase{"e_yz = 1/2", 2, 3},
+                                     LoadCase{"e_xz = 1/2", 1, 3}, LoadCase{"e_xy = 1/2", 1, 2}};
 
 /// The rounding that the width of a number allows, over its last digit.
 constexpr double kUlpsOfConstants = 1 << 10;
@@ -114,16 +116,53 @@ void append_material(std::string& text, const NamedConstants& material) {
     append_constants(text, {c44});
 }
 
-void append_step(std::string& text, const LoadCase& load) {
+/// Component j of control node i is that of the mean strain, for i <= j.
+void append_step(std::string& text, const LoadCase& load, int dimension) {
+    const std::string last = std::to_string(dimension);
     text += std::string("** The mean strain ") + load.name + ", all other components 0.\n";
-    text += std::string("*STEP\n*STATIC\n*BOUNDARY\nFIXED,1,2\nCONTROL_1,1,1,") + load.xx;
-    text += std::string("\nCONTROL_1,2,2,") + load.xy + "\nCONTROL_2,2,2," + load.yy + "\n";
-    text +=
-        "*EL PRINT,ELSET=EALL,GLOBAL=YES\nS,E,EVOL\n*NODE FILE,OUTPUT=2D\nU\n*EL FILE\nS,E\n*END "
-        "STEP\n";
+    text += "*STEP\n*STATIC\n*BOUNDARY\nFIXED,1," + last + "\n";
+    for (int i = 1; i <= dimension; ++i) {
+        for (int j = i; j <= dimension; ++j) {
+            const bool is_load = load.i == i && load.j == j;
+            const std::string component = "," + std::to_string(j);
+            text += "CONTROL_" + std::to_string(i) + component + component +
+                    (!is_load ? ",0." : i == j ? ",1." : ",0.5") + "\n";
+        }
+    }
+    text += "*EL PRINT,ELSET=EALL,GLOBAL=YES\nS,E,EVOL\n*NODE FILE";
+    text += dimension == 2 ? ",OUTPUT=2D" : "";
+    text += "\nU\n*EL FILE\nS,E\n*END STEP\n";
 }
 
+/// The data of a section: elements in the plane are 1 thick.
+const char* section_data(int dimension) { return dimension == 2 ? "\n1.\n" : "\n"; }
+
+/// An input begins with one of these.
+constexpr const char* kMeshAlone =
+    "** The mesh of a periodic tile, written by pcvt: *INCLUDE it in a job that adds a material,\n"
+    "** a *SOLID SECTION for EALL or each CELL_s, and steps.";
+constexpr const char* kWithSections =
+    "** The mesh of a periodic tile with a section for each cell, written by pcvt: *INCLUDE it in\n"
+    "** a job that adds the materials of these sections, and steps.";
+constexpr const char* kWithJob =
+    "** A job of linear elasticity on a periodic tile, written by pcvt, that CalculiX runs as it\n"
+    "** is; its materials and steps are at the end.";
+
 }  // namespace
+
+std::string inp_head(const FileOptions& options) {
+    return options.job != SolverJob::kNone ? kWithJob
+           : options.materials != nullptr  ? kWithSections
+                                           : kMeshAlone;
+}
+
+void append_inp_sites(std::string& text, std::span<const SiteId> sites) {
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+        text += k % kSitesALine != 0 ? " " : k == 0 ? "** pcvt sites " : "\n** pcvt sites ";
+        append_number(text, sites[k]);
+    }
+    if (!sites.empty()) text += '\n';
+}
 
 std::string inp_orbit_sets(std::span<const int> site_orbits, std::span<const SiteId> cells) {
     std::string text;
@@ -136,7 +175,8 @@ std::string inp_orbit_sets(std::span<const int> site_orbits, std::span<const Sit
     return text;
 }
 
-std::string inp_sections(const CellMaterials& materials, std::span<const SiteId> cells) {
+std::string inp_sections(const CellMaterials& materials, std::span<const SiteId> cells,
+                         int dimension) {
     const std::string cell_set = upper_case(kCellSet);
     std::string text;
     if (!materials.site_phase.empty()) append_phase_sets(text, materials, cells);
@@ -147,7 +187,7 @@ std::string inp_sections(const CellMaterials& materials, std::span<const SiteId>
                 (materials.site_phase.empty() ? kOneMaterial
                                               : materials.phase_names[materials.site_phase[s]]);
         if (turned) text += ",ORIENTATION=" + upper_case(kOrientationSet) + std::to_string(s);
-        text += "\n1.\n";
+        text += section_data(dimension);
     }
     return text;
 }
@@ -158,7 +198,7 @@ ElasticConstants inp_standard_constants(const CellMaterials& materials) {
 }
 
 std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices& choices,
-                            double period_area) {
+                            double period, int dimension) {
     const ElasticConstants standard = inp_standard_constants(materials);
     std::string text = !choices.materials.empty() ? kGiven
                        : standard.is_isotropic()  ? kIsotropic
@@ -167,14 +207,19 @@ std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices
         append_material(text, material);
     }
     if (materials.empty()) {
-        text += std::string("*SOLID SECTION,ELSET=EALL,MATERIAL=") + kOneMaterial + "\n1.\n";
+        text += std::string("*SOLID SECTION,ELSET=EALL,MATERIAL=") + kOneMaterial;
+        text += section_data(dimension);
     }
-    text += "** The area of the period is ";
-    append_number(text, period_area);
-    text +=
-        ", and its volume the same, because elements are 1 thick. The mean\n"
-        "** stress of a step is the sum of S x volume over that volume, which counts holes, too.\n";
-    for (const LoadCase& load : kLoadCases) append_step(text, load);
+    const bool in_plane = dimension == 2;
+    text += in_plane ? "** The area of the period is " : "** The volume of the period is ";
+    append_number(text, period);
+    text += in_plane ? ", and its volume the same, because elements are 1 thick. The mean\n** stress"
+                     : ". The mean stress";
+    text += " of a step is the sum of S x volume over that volume, which counts holes, too.\n";
+    for (const LoadCase& load : in_plane ? std::span<const LoadCase>(kPlaneLoadCases)
+                                         : std::span<const LoadCase>(kSpaceLoadCases)) {
+        append_step(text, load, dimension);
+    }
     return text;
 }
 

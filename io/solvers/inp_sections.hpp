@@ -3,10 +3,17 @@
 #include <span>
 #include <string>
 
+#include "io/forms/file_options.hpp"
 #include "mesher/cells/elastic_choices.hpp"
 #include "mesher/plane/geometry/sites.hpp"
 
 namespace pcvt {
+
+/// Returns the lines with which an input begins: whether it holds only the mesh, sections, or a job.
+std::string inp_head(const FileOptions& options);
+
+/// Appends the site of each node as comments; nothing where nodes have none.
+void append_inp_sites(std::string& text, std::span<const SiteId> sites);
 
 /// Returns the sets of the cells of each orbit: `*ELSET,ELSET=ORBIT_k` with sets CELL_s.
 /// @param site_orbits  of all sites; empty: no sets.
@@ -25,8 +32,10 @@ std::string inp_orbit_sets(std::span<const int> site_orbits, std::span<const Sit
 /// Example usage:
 ///     text += inp_sections(materials, cells);
 ///
-/// @param cells  the sites that have a set CELL_s, rising.
-std::string inp_sections(const CellMaterials& materials, std::span<const SiteId> cells);
+/// @param cells      the sites that have a set CELL_s, rising.
+/// @param dimension  2: elements are 1 thick.
+std::string inp_sections(const CellMaterials& materials, std::span<const SiteId> cells,
+                         int dimension);
 
 /// The elastic constants of all materials of a job where the user gives none, in MPa:
 ///
@@ -39,17 +48,18 @@ ElasticConstants inp_standard_constants(const CellMaterials& materials);
 /// runs as it is: one *MATERIAL a phase, with the chosen constants or the standard ones.
 ///
 /// Three linear steps prescribe a unit mean strain each, at the control nodes: e_xx = 1, e_yy = 1
-/// and e_xy = 1/2, which is the shear gamma_xy = 1. The mean stress of a step, that is the sum of S
+/// and e_xy = 1/2, which is the shear gamma_xy = 1; in space six: e_xx, e_yy, e_zz = 1, and e_yz,
+/// e_xz, e_xy = 1/2. The mean stress of a step, that is the sum of S
 /// x volume over the volume of the period, is a column of the homogenised stiffness. The results
 /// are S, E and the volumes of the elements as text (.dat), and U, S and E for pictures (.frd).
 ///
 /// Example usage:
-///     text += inp_elastic_job(materials, options.elastic, tile.lattice.area());
+///     text += inp_elastic_job(materials, options.elastic, tile.lattice.area(), 2);
 ///
-/// @param materials    without phases and orientations: a section of all elements is added.
-/// @param period_area  by which the sum of S x volume is divided, also where the elements leave
-///                     holes; a comment states it.
+/// @param materials  without phases and orientations: a section of all elements is added.
+/// @param period     the area or the volume of the period, by which the sum of S x volume is
+///                   divided, also where the elements leave holes; a comment states it.
 std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices& choices,
-                            double period_area);
+                            double period, int dimension);
 
 }  // namespace pcvt

@@ -1,12 +1,12 @@
 #include "io/solvers/msh_tetrahedra.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "io/bytes/text.hpp"
 #include "io/forms/lattice_numbers.hpp"
+#include "io/forms/material_words.hpp"
 #include "io/forms/point_offsets.hpp"
 #include "io/forms/tetrahedra_entities.hpp"
 #include "io/solvers/msh_fields.hpp"
@@ -16,16 +16,14 @@
 namespace pcvt {
 namespace {
 
-constexpr double kNowhere = std::numeric_limits<double>::infinity();
-
 class TetrahedraParser final : public MshSections {
    public:
     using MshSections::MshSections;
 
-    space::TetrahedralMesh read() {
+    TetrahedralTile read() {
         parse();
         if (!mesh_) throw BadFile(name() + ": states no lattice; write the file again with pcvt");
-        if (mesh_->points.empty() || mesh_->tetrahedra.empty()) {
+        if (mesh_->points.empty() || found_.elements.size() == 0) {
             throw BadFile(name() + ": holds no tetrahedron; give the whole file");
         }
         if (mesh_->point_site.size() != mesh_->points.size()) {
@@ -34,25 +32,29 @@ class TetrahedraParser final : public MshSections {
                 ": $NodeData states neither the site of each node nor its orbit; write the "
                 "file again with pcvt");
         }
-        if (!std::is_sorted(mesh_->cell.begin(), mesh_->cell.end())) {
-            throw BadFile(name() +
-                          ": the tetrahedra are not sorted by the sites of their cells; "
-                          "write the file again with pcvt");
-        }
+        found_.name = name();
+        place_tetrahedra(found_, *mesh_);
+        require_sites();
         find_point_offsets(name(), *mesh_);
-        return *std::move(mesh_);
+        require_sorted_cells(name(), *mesh_);
+        require_materials(name(), materials_, mesh_->cell.empty() ? 0 : mesh_->cell.back() + 1);
+        return {*std::move(mesh_), std::move(materials_)};
     }
 
    private:
-    struct Node {
-        int number;
-        int line;
-        Position position;
-    };
+    /// Requires a site for each corner; nodes in the middle of edges have none.
+    void require_sites() const {
+        const std::vector<SiteId>& sites = mesh_->point_site;
+        if (std::find(sites.begin(), sites.end(), -1) == sites.end()) return;
+        throw BadFile(name() + ": a node has no site; write the file again with pcvt");
+    }
 
     void take_comment() override {
         const MshRows::Words& words = rows().words();
-        if (words.size() < 2 || words[0] != "pcvt" || words[1] != "lattice") return;
+        if (words.size() < 2 || words[0] != "pcvt") return;
+        const MshRows::Words values(words.begin() + 2, words.end());
+        if (take_material(rows().scanner(), words[1], values, materials_)) return;
+        if (words[1] != "lattice") return;
         constexpr std::size_t kWords = 11;
         if (words.size() != kWords) rows().throw_bad_file("the lattice has nine numbers");
         std::vector<double> periods;
@@ -74,20 +76,7 @@ class TetrahedraParser final : public MshSections {
     }
 
     void end_nodes() override {
-        std::vector<space::Vec3>& points = mesh().points;
-        points.assign(nodes_.size(), space::Vec3::Constant(kNowhere));
-        for (const auto& [number, line, position] : nodes_) {
-            const std::string place = name() + ":" + std::to_string(line) + ": ";
-            if (number < 1 || std::cmp_greater(number, points.size())) {
-                throw BadFile(place + std::to_string(number) + " is not a number from 1 to " +
-                              std::to_string(points.size()) + "; correct it");
-            }
-            space::Vec3& point = points[number - 1];
-            if (point.x() != kNowhere) {
-                throw BadFile(place + "node " + std::to_string(number) + " occurs twice");
-            }
-            point = {position[0], position[1], position[2]};
-        }
+        mesh().points = points_by_number(name(), nodes_);
     }
 
     /// Returns the number of a node minus 1.
@@ -101,12 +90,21 @@ class TetrahedraParser final : public MshSections {
     }
 
     bool takes(const ElementType* type, int /*number*/) override {
-        return type != nullptr && type->kind == ElementKind::kTetrahedron4;
+        if (type == nullptr || type->n_corners != 4 || type->dimension != 3) return false;
+        ElementList& elements = found_.elements;
+        if (elements.size() > 0 && elements.kind != type->kind) {
+            rows().throw_bad_file("the tetrahedra have not all as many nodes; take one order");
+        }
+        elements.kind = type->kind;
+        return true;
     }
 
-    void take_element(const ElementType& /*type*/, int /*dimension*/, int /*entity*/) override {
-        std::array<int, 4>& corners = mesh().tetrahedra.emplace_back();
-        for (std::size_t i = 0; i < 4; ++i) corners[i] = node(i + 1);
+    void take_element(const ElementType& type, int /*dimension*/, int /*entity*/) override {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(type.n_nodes); ++k) {
+            found_.elements.nodes.corners.push_back(node(1 + type.place_in_msh(k)));
+        }
+        found_.elements.nodes.close();
+        found_.lines.push_back(rows().line());
     }
 
     bool states_sites(std::string_view view, bool of_nodes) override {
@@ -115,7 +113,7 @@ class TetrahedraParser final : public MshSections {
 
     bool takes_sites(bool of_nodes, int n_values) override {
         if (!of_nodes) {
-            mesh().cell.assign(mesh().tetrahedra.size(), -1);
+            mesh().cell.assign(static_cast<std::size_t>(found_.elements.size()), -1);
             return true;
         }
         if (n_values != mesh().n_points())
@@ -128,9 +126,9 @@ class TetrahedraParser final : public MshSections {
     void take_cell() {
         const int element = rows().integer(0);
         if (element < 1) rows().throw_bad_file("elements are numbered from 1; correct the number");
-        if (element > mesh().n_tetrahedra()) return;
+        if (element > found_.elements.size()) return;
         const int site = rows().integer(1);
-        if (site < 0 || site >= mesh().n_tetrahedra()) {
+        if (site < 0 || site >= found_.elements.size()) {
             rows().throw_bad_file(std::to_string(site) + " is not a site; correct it");
         }
         mesh().cell[element - 1] = site;
@@ -144,32 +142,31 @@ class TetrahedraParser final : public MshSections {
         SiteId& site = mesh().point_site[node(0)];
         if (site >= 0) rows().throw_bad_file("the node occurs twice; correct it");
         site = rows().integer(1);
-        if (site < 0 || site >= mesh().n_points()) {
+        if (site < -1 || site >= mesh().n_points()) {
             rows().throw_bad_file(std::to_string(site) + " is not a site; correct it");
         }
     }
 
     std::optional<space::TetrahedralMesh> mesh_;
-    std::vector<Node> nodes_;
+    FileTetrahedra found_{.index_base = 1};
+    CellMaterials materials_;
+    std::vector<NumberedPoint> nodes_;
 };
 
 }  // namespace
 
 bool holds_msh_tetrahedra(const EncodedFile& msh) {
-    const std::string comment = "pcvt kind " + std::string(kTetrahedraKind);
-    const std::size_t at = msh.bytes.find(comment);
-    if (at == std::string::npos) return false;
-    const char next = msh.bytes[at + comment.size()];
-    return next == '\n' || next == '\r';
+    return states_tetrahedra(msh.bytes);
 }
 
-space::TetrahedralMesh decode_msh_tetrahedra(const EncodedFile& msh) {
+TetrahedralTile decode_msh_tetrahedra(const EncodedFile& msh) {
     refuse_binary(msh.path, msh.bytes, "save it as ASCII, MSH 4.1");
     return TetrahedraParser(msh.path, msh.bytes).read();
 }
 
-void compare_msh_tetrahedra(const EncodedFile& msh, const space::TetrahedralMesh& mesh) {
-    const std::vector<EncodedFile> expected = encode_msh(entity_mesh(mesh), msh.path);
+void compare_msh_tetrahedra(const EncodedFile& msh, const TetrahedralTile& tile) {
+    const std::vector<EncodedFile> expected =
+        encode_msh(entity_mesh(tile.mesh, &tile.materials), msh.path);
     compare_fields(*msh_fields(msh.path, msh.bytes), *msh_fields(msh.path, expected.front().bytes));
 }
 

@@ -151,6 +151,13 @@ class MshText {
         return dimension == mesh_.dimension ? 0 : mesh_.elements.size();
     }
 
+    void append_nodes_of(const ElementList& elements, int e) {
+        const auto nodes = elements.nodes[e];
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            append(nodes[elements.type().place_in_msh(k)] + 1);
+        }
+    }
+
     void append_elements() {
         int n_blocks = 0;
         int n_elements = 0;
@@ -169,7 +176,7 @@ class MshText {
                     {dimension, entities.tags[k], elements.type().msh, entities.elements.size(k)});
                 for (const int e : entities.elements[k]) {
                     append(before(dimension) + e + 1);
-                    for (const int v : elements.nodes[e]) append(v + 1);
+                    append_nodes_of(elements, e);
                     end_line();
                 }
             }

@@ -66,18 +66,28 @@ void add_phases(const CellMaterials& materials, VtuGrid& grid) {
                             {"Int32", "SitePhases", materials.site_phase}});
 }
 
-/// Adds the materials of cells that are one element each.
-void add_materials(const CellMaterials& materials, VtuGrid& grid) {
+/// Adds the materials of the cells to their elements.
+/// @param sites  the cell of each element.
+void add_materials(const CellMaterials& materials, const std::vector<SiteId>& sites,
+                   VtuGrid& grid) {
     if (!materials.site_phase.empty()) {
         add_phases(materials, grid);
-        grid.cell_data.push_back({"Int32", "Phase", materials.site_phase});
+        std::vector<int> phases;
+        for (const SiteId s : sites) phases.push_back(materials.site_phase[s]);
+        grid.cell_data.push_back({"Int32", "Phase", std::move(phases)});
     }
     if (materials.site_orientation.empty()) return;
+    std::vector<std::array<int, 3>> colour_of;
+    for (const BungeAngles& of_cell : materials.site_orientation) {
+        const auto colour = pole_colour(of_cell);
+        colour_of.push_back({colour[0], colour[1], colour[2]});
+    }
     std::vector<double> angles;
     std::vector<int> colours;
-    for (const BungeAngles& of_cell : materials.site_orientation) {
+    for (const SiteId s : sites) {
+        const BungeAngles& of_cell = materials.site_orientation[s];
         angles.insert(angles.end(), {of_cell.phi1, of_cell.Phi, of_cell.phi2});
-        for (const int part : pole_colour(of_cell)) colours.push_back(part);
+        colours.insert(colours.end(), colour_of[s].begin(), colour_of[s].end());
     }
     grid.cell_data.push_back({"Float64", "Orientation", std::move(angles), 3});
     grid.cell_data.push_back({"UInt8", "IPFz", std::move(colours), 3});
@@ -137,13 +147,16 @@ VtuGrid vtu_grid(const SpaceTile& tile) {
         std::vector<double> weights(tile.weights.data(), tile.weights.data() + tile.weights.size());
         grid.cell_data.push_back({"Float64", "Weight", std::move(weights)});
     }
-    add_materials(tile.materials, grid);
+    std::vector<SiteId> of_cells(static_cast<std::size_t>(cells.n_cells()));
+    std::iota(of_cells.begin(), of_cells.end(), 0);
+    add_materials(tile.materials, of_cells, grid);
     return grid;
 }
 
-VtuGrid vtu_grid(const space::TetrahedralMesh& mesh) {
+VtuGrid vtu_grid(const space::TetrahedralMesh& mesh, const CellMaterials* materials) {
     VtuGrid grid = grid_of(kTetrahedraVtuMark, element_mesh(mesh));
     if (mesh.cell.empty()) return grid;
+    if (materials != nullptr) add_materials(*materials, mesh.cell, grid);
     std::vector<double> volumes;
     for (int t = 0; t < mesh.n_tetrahedra(); ++t) {
         checkpoint_each(t);

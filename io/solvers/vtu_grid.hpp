@@ -45,8 +45,8 @@ struct VtuData {
 ///              `Orbit`, that of the site: orbits are counted from 0 in the order of their first
 ///              sites; for runs with phases or inclusions `Phase`, that of the site, an index into
 ///              `PhaseNames`; of polyhedra `Faces`, their number, `Volume` (length^3), `Site`, the
-///              image of the site, of power cells `Weight`, length^2, and where they have
-///              orientations `Orientation`, the angles phi1, Phi, phi2 in degrees, and `IPFz`,
+///              image of the site, and of power cells `Weight`, length^2; in space, of cells with
+///              orientations, `Orientation`, the angles phi1, Phi, phi2 in degrees, and `IPFz`,
 ///              their colour in the inverse pole figure (io/colours/pole_colours.hpp).
 ///   FieldData  `PeriodicLattice`, the period vectors; where the tile has its sites, `Periods`,
 ///              the numbers of periods along both, and `SitePositions`; `ShortEdges`, the length
@@ -81,8 +81,9 @@ VtuGrid vtu_grid(const plane::Tile& tile, const CellMaterials* materials = nullp
 
 VtuGrid vtu_grid(const SpaceTile& tile);
 
-/// Tetrahedra, with the volumes of cells that they fill as the field data `CellVolumes`, whose
-/// fourth point lies on the side from which the others turn counter-clockwise.
-VtuGrid vtu_grid(const space::TetrahedralMesh& mesh);
+/// Tetrahedra with four or ten nodes, with the volumes of cells that they fill as the field data
+/// `CellVolumes`, whose fourth point lies on the side from which the others turn counter-clockwise.
+/// @param materials  of the cells that they fill; null: none.
+VtuGrid vtu_grid(const space::TetrahedralMesh& mesh, const CellMaterials* materials = nullptr);
 
 }  // namespace pcvt

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -20,9 +21,10 @@ namespace {
 /// Volumes that a file states may differ by this part of the volume: by the order of summation.
 constexpr double kVolumeError = 1e-10;
 
+constexpr std::string_view kOrientationArray = "CellData/Orientation";
 constexpr std::array<std::string_view, 7> kPolyhedraArrays{
-    "Cells/faces",   "Cells/faceoffsets", "CellData/Faces",      "CellData/Volume",
-    "CellData/Site", "CellData/Weight",   "CellData/Orientation"};
+    "Cells/faces",   "Cells/faceoffsets", "CellData/Faces", "CellData/Volume",
+    "CellData/Site", "CellData/Weight",   kOrientationArray};
 
 /// "(1, 0, -1)"
 std::string in_words(const space::Offset& offset) {
@@ -112,6 +114,29 @@ class StatedImages {
     const VtuArray* offsets_ = nullptr;
 };
 
+/// Reads the materials of cells.
+/// @param cell_of  the cell of each element: cell by cell, without a gap.
+CellMaterials read_materials(const VtuArrays& arrays, const std::vector<SiteId>& cell_of) {
+    CellMaterials materials;
+    const int n_cells = cell_of.empty() ? 0 : cell_of.back() + 1;
+    if (arrays.find("FieldData/PhaseNames") != nullptr) {
+        read_vtu_phases(arrays, "FieldData/SitePhases", n_cells, materials);
+    }
+    if (arrays.find(std::string(kOrientationArray)) == nullptr) return materials;
+    const VtuArray& angles = arrays.get(std::string(kOrientationArray), arrays.n_cells(), 3, false);
+    for (std::size_t e = 0; e < cell_of.size(); ++e) {
+        if (e > 0 && cell_of[e] == cell_of[e - 1]) continue;
+        const std::size_t k = 3 * e;
+        const BungeAngles of_cell{angles.values[k], angles.values[k + 1], angles.values[k + 2]};
+        try {
+            materials.site_orientation.push_back(checked_angles(of_cell));
+        } catch (const InvalidInput& fault) {
+            arrays.scanner().throw_bad_file(angles.lines[k], fault.what());
+        }
+    }
+    return materials;
+}
+
 /// Reads the arrays of polyhedra of one file.
 class VtuPolyhedra {
    public:
@@ -138,7 +163,9 @@ class VtuPolyhedra {
             const VtuArray& weights = arrays_.get("CellData/Weight", n_, 1, false);
             tile.weights = Eigen::Map<const Eigen::VectorXd>(weights.values.data(), n_);
         }
-        read_materials(tile.materials);
+        std::vector<SiteId> cell_of(static_cast<std::size_t>(n_));
+        std::iota(cell_of.begin(), cell_of.end(), 0);
+        tile.materials = read_materials(arrays_, cell_of);
         return tile;
     }
 
@@ -210,22 +237,6 @@ class VtuPolyhedra {
         }
     }
 
-    void read_materials(CellMaterials& materials) const {
-        if (arrays_.find("FieldData/PhaseNames") != nullptr) {
-            read_vtu_phases(arrays_, "FieldData/SitePhases", n_, materials);
-        }
-        if (arrays_.find("CellData/Orientation") == nullptr) return;
-        const VtuArray& angles = arrays_.get("CellData/Orientation", n_, 3, false);
-        for (std::size_t k = 0; k < angles.size(); k += 3) {
-            const BungeAngles of_cell{angles.values[k], angles.values[k + 1], angles.values[k + 2]};
-            try {
-                materials.site_orientation.push_back(checked_angles(of_cell));
-            } catch (const InvalidInput& fault) {
-                fail(angles.lines[k], fault.what());
-            }
-        }
-    }
-
     void compare_cells(const space::PolyhedralMesh& mesh,
                        const space::PolyhedronList& cells) const {
         const VtuArray* const ids = arrays_.find("CellData/CellId");
@@ -263,11 +274,20 @@ class VtuPolyhedra {
 
 namespace {
 
-/// Requires numbers from 0 to n - 1.
-void require_numbers(const VtuArrays& arrays, const VtuArray& numbers, int n) {
+/// Compares the images that a file states for its nodes with those of a mesh in space.
+void compare_images(const VtuArrays& arrays, const ElementMesh& mesh) {
+    std::vector<space::Offset> offsets;
+    for (std::size_t k = 0; k < mesh.offsets.size(); k += 3) {
+        offsets.push_back({mesh.offsets[k], mesh.offsets[k + 1], mesh.offsets[k + 2]});
+    }
+    StatedImages(arrays).compare(mesh.orbit, offsets);
+}
+
+/// Requires numbers from `least` to n - 1.
+void require_numbers(const VtuArrays& arrays, const VtuArray& numbers, int n, int least = 0) {
     for (std::size_t v = 0; v < numbers.size(); ++v) {
         const int number = numbers.integer(v);
-        if (number >= 0 && number < n) continue;
+        if (number >= least && number < n) continue;
         arrays.scanner().throw_bad_file(numbers.lines[v],
                                         std::to_string(number) + " is not a number from 0 to " +
                                             std::to_string(n - 1) + "; correct it");
@@ -279,8 +299,9 @@ void require_numbers(const VtuArrays& arrays, const VtuArray& numbers, int n) {
 void read_point_sites(const VtuArrays& arrays, space::TetrahedralMesh& mesh) {
     const int n = mesh.n_points();
     if (arrays.find("CellData/CellId") == nullptr) {
+        // Nodes in the middle of edges have no site.
         const VtuArray& sites = arrays.get("PointData/CellId", n, 1, true);
-        require_numbers(arrays, sites, n);
+        require_numbers(arrays, sites, n, -1);
         for (std::size_t v = 0; v < sites.size(); ++v) mesh.point_site.push_back(sites.integer(v));
         return;
     }
@@ -319,28 +340,38 @@ SpaceTile decode_vtu_polyhedra(const EncodedFile& vtu, double tolerance) {
     return VtuPolyhedra(vtu).read(tolerance);
 }
 
-space::TetrahedralMesh decode_vtu_tetrahedra(const EncodedFile& vtu) {
+TetrahedralTile decode_vtu_tetrahedra(const EncodedFile& vtu) {
     refuse_binary(vtu.path, vtu.bytes, "export it as ASCII");
-    const VtuArrays arrays(vtu.path, vtu.bytes);
+    const VtuArrays arrays(vtu.path, vtu.bytes, std::array{kOrientationArray});
     const int n = arrays.n_points();
     if (arrays.n_cells() == 0 || n == 0) {
         throw BadFile(vtu.path + ": holds no tetrahedron; give the whole file");
     }
-    space::TetrahedralMesh mesh{.lattice = read_vtu_lattice<space::Lattice>(arrays),
-                                .points = read_points(arrays)};
-    read_point_sites(arrays, mesh);
-    find_point_offsets(vtu.path, mesh);
-    StatedImages(arrays).compare(first_points(mesh), mesh.point_offset);
-    const ElementList cells = read_vtu_cells(arrays, {ElementKind::kTetrahedron4});
-    for (int t = 0; t < cells.size(); ++t) {
-        std::copy_n(cells.nodes[t].begin(), 4, mesh.tetrahedra.emplace_back().begin());
+    TetrahedralTile tile{.mesh = {.lattice = read_vtu_lattice<space::Lattice>(arrays),
+                                  .points = read_points(arrays)}};
+    space::TetrahedralMesh& mesh = tile.mesh;
+    FileTetrahedra found{.name = vtu.path};
+    found.elements =
+        read_vtu_cells(arrays, {ElementKind::kTetrahedron4, ElementKind::kTetrahedron10});
+    const VtuArray& corners = arrays.get("Cells/connectivity", -1, 1, true);
+    for (int t = 0; t < found.elements.size(); ++t) {
+        found.lines.push_back(corners.lines[found.elements.nodes.begin[t]]);
     }
-    return mesh;
+    read_point_sites(arrays, mesh);
+    place_tetrahedra(found, mesh);
+    if (std::find(mesh.point_site.begin(), mesh.point_site.end(), -1) != mesh.point_site.end()) {
+        throw BadFile(vtu.path + ": a point has no site; write the file again with pcvt");
+    }
+    find_point_offsets(vtu.path, mesh);
+    compare_images(arrays, element_mesh(mesh));
+    require_sorted_cells(vtu.path, mesh);
+    tile.materials = read_materials(arrays, mesh.cell);
+    return tile;
 }
 
-void compare_vtu_tetrahedra(const EncodedFile& vtu, const space::TetrahedralMesh& mesh) {
+void compare_vtu_tetrahedra(const EncodedFile& vtu, const TetrahedralTile& tile) {
     if (vtu.bytes.find(kTetrahedraVtuMark) == std::string::npos) return;
-    require_same_bytes({vtu}, encode_vtu(vtu_grid(mesh), vtu.path));
+    require_same_bytes({vtu}, encode_vtu(vtu_grid(tile.mesh, &tile.materials), vtu.path));
 }
 
 }  // namespace pcvt

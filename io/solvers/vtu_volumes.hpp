@@ -2,7 +2,7 @@
 
 #include "io/bytes/encoded_file.hpp"
 #include "io/forms/space_tile.hpp"
-#include "mesher/space/mesh/tetrahedral_mesh.hpp"
+#include "io/forms/file_tetrahedra.hpp"
 
 namespace pcvt {
 
@@ -30,15 +30,15 @@ SpaceTile decode_vtu_polyhedra(const EncodedFile& vtu, double tolerance = 0);
 /// the points of which they are images, are compared with these.
 ///
 /// Example usage:
-///     const TetrahedralMesh mesh = decode_vtu_tetrahedra({"t.vtu", read_whole_file("t.vtu")});
-///     const TetrahedralProof proof = prove_tetrahedra(mesh);
+///     const TetrahedralTile tile = decode_vtu_tetrahedra({"t.vtu", read_whole_file("t.vtu")});
+///     const TetrahedralProof proof = prove_tetrahedra(tile.mesh);
 ///
 /// @throws BadFile with the line.
-space::TetrahedralMesh decode_vtu_tetrahedra(const EncodedFile& vtu);
+TetrahedralTile decode_vtu_tetrahedra(const EncodedFile& vtu);
 
 /// Compares a file that pcvt wrote with the one that encode_vtu() gives for its tetrahedra; accepts
 /// files of other programs.
 /// @throws BadFile  naming the line.
-void compare_vtu_tetrahedra(const EncodedFile& vtu, const space::TetrahedralMesh& mesh);
+void compare_vtu_tetrahedra(const EncodedFile& vtu, const TetrahedralTile& tile);
 
 }  // namespace pcvt

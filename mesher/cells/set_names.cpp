@@ -8,13 +8,15 @@
 namespace pcvt {
 namespace {
 
-constexpr std::array<SetName, 14> kSetNames{
+constexpr std::array<SetName, 16> kSetNames{
     {{kAllNodesSet, SetForm::kWord, "all nodes"},
      {kAllElementsSet, SetForm::kWord, "all elements"},
      {kFixedSet, SetForm::kWord, "the node that holds the tile"},
      {kControlSet, SetForm::kNumber, "a node whose displacement is the mean strain"},
      {kGrainBoundarySet, SetForm::kWord, "the boundaries of the cells"},
      {kTriplePointsSet, SetForm::kWord, "the corners of the cells"},
+     {kTripleLinesSet, SetForm::kWord, "the edges of the cells"},
+     {kQuadruplePointsSet, SetForm::kWord, "the corners of the cells"},
      {kCellSet, SetForm::kNumber, "the elements of a cell"},
      {kPhaseSet, SetForm::kPhase, "the elements of a phase"},
      {kOrbitSet, SetForm::kNumber, "the cells of an orbit"},

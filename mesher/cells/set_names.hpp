@@ -18,6 +18,8 @@ inline constexpr std::string_view kFixedSet = "fixed";
 inline constexpr std::string_view kControlSet = "control_";
 inline constexpr std::string_view kGrainBoundarySet = "grain_boundary";
 inline constexpr std::string_view kTriplePointsSet = "triple_points";
+inline constexpr std::string_view kTripleLinesSet = "triple_lines";
+inline constexpr std::string_view kQuadruplePointsSet = "quadruple_points";
 inline constexpr std::string_view kCellSet = "cell_";
 inline constexpr std::string_view kPhaseSet = "phase_";
 inline constexpr std::string_view kOrbitSet = "orbit_";
@@ -26,7 +28,7 @@ inline constexpr std::string_view kSeamSet = "seam_";
 inline constexpr std::string_view kBackPatch = "back";
 inline constexpr std::string_view kFrontPatch = "front";
 inline constexpr std::string_view kDomainSet = "domain";
-/// Follows the name of a wall or a hole in the name of its surface of element sides.
+/// Follows the name of a wall, a hole or a boundary in the name of its surface of element sides.
 inline constexpr std::string_view kSidesSuffix = "_sides";
 
 /// Returns the name of the part of a boundary that an offset takes to its partners, in every

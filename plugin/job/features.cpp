@@ -181,7 +181,8 @@ constexpr std::array kFeatures{
                .option = "--per-edge",
                .fields = "grain_per_edge",
                .is_chosen = [](const Job& job) { return job.tile.grain_per_edge > 0; }},
-    FeatureRow{.feature = F::kOrder, .option = "--order", .fields = "grain_order"},
+    FeatureRow{
+        .feature = F::kOrder, .option = "--order", .fields = "grain_order", .in_space = true},
     FeatureRow{
         .feature = F::kRepeat, .option = "--repeat", .fields = "columns rows", .in_space = true},
     FeatureRow{
@@ -282,6 +283,7 @@ constexpr std::array kFeatures{
     FeatureRow{.feature = F::kSolverJob,
                .option = "--job",
                .fields = "job",
+               .in_space = true,
                .is_chosen = [](const Job& job) { return job.file_options.job != SolverJob::kNone; },
                .in_files = "a job of a solver",
                .taken = takes<&FormatChoices::job>},

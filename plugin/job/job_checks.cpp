@@ -110,13 +110,17 @@ void check_repetition(const Job& job) {
                         " cells in one tile; take fewer sites or repeat less often");
 }
 
+void check_order_of_grains(const Job& job) {
+    if (job.tile.order != 1 && job.tile.order != 2)
+        throw InvalidInput("the order of grains is 1 or 2");
+}
+
 void check_meshes(const Job& job) {
     if (job.meshes.empty()) {
         throw InvalidInput("no mesh is given; take " +
                            listed_words(plane::kMeshKinds, ", ", " or "));
     }
-    if (job.tile.order != 1 && job.tile.order != 2)
-        throw InvalidInput("the order of grains is 1 or 2");
+    check_order_of_grains(job);
     if (has_mesh(job, &plane::MeshKindRow::grain_size)) check_grains(job);
 }
 
@@ -229,6 +233,7 @@ void check_space(const Job& job) {
     check_stability(job);
     check_short_edges(job);
     check_origin(job.in_space(), job.n_wanted());
+    check_order_of_grains(job);
     check_grains_in_space(job);
     check_aspect(job);
 }

@@ -37,6 +37,12 @@ std::string extensions_that_take(const FeatureRow& feature, bool in_space) {
     return text;
 }
 
+/// Whether the elements in a file of a job lie in cells.
+bool elements_have_cells(const Job& job, const JobFile& file) {
+    if (job.is_in_space()) return job.meshes.front() == plane::MeshKind::kGrains;
+    return mesh_kind_row(job.meshes[file.mesh]).faces_have_sites;
+}
+
 void check_constants(const Job& job, const std::vector<JobFile>& files,
                      const std::vector<std::string>& phases) {
     if (files.empty()) return;
@@ -46,10 +52,10 @@ void check_constants(const Job& job, const std::vector<JobFile>& files,
         is_stated = is_stated || file.format->states_constants(options);
         if (!file.format->holds_job(options)) continue;
         require_choice(options.elastic, phases);
-        if (phases.empty() || mesh_kind_row(job.meshes[file.mesh]).faces_have_sites) continue;
-        throw InvalidInput("-o " + file.paths.front() +
-                           ": --job elastic would give Delaunay triangles one material, because "
-                           "they have no phases; take the mesh grains");
+        if (phases.empty() || elements_have_cells(job, file)) continue;
+        throw InvalidInput("-o " + file.paths.front() + ": --job elastic would give Delaunay " +
+                           (job.is_in_space() ? "tetrahedra" : "triangles") +
+                           " one material, because they have no phases; take the mesh grains");
     }
     if (!is_stated) {
         throw InvalidInput(

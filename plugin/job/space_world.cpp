@@ -88,6 +88,7 @@ std::optional<space::TetrahedralMesh> build_tetrahedra(const space::Tessellation
     if (are_grains) {
         SpaceGrains grains = build_space_grains(job, cells, monitor);
         summary.space_grains = grains.figures;
+        grains.tetrahedra.order = job.tile.order;
         return std::move(grains.tetrahedra);
     }
     const space::PeriodicDelaunay& delaunay = cells.delaunay;
@@ -95,6 +96,7 @@ std::optional<space::TetrahedralMesh> build_tetrahedra(const space::Tessellation
     space::TetrahedralMesh mesh =
         cells.elongation ? space::tetrahedral_mesh({cells.sites(), delaunay.tetrahedra}, origin)
                          : tetrahedral_mesh(delaunay, origin);
+    mesh.order = job.tile.order;
     const std::vector<int> flat = flat_tetrahedra(mesh, delaunay.sites.n_sites());
     if (flat.empty()) return mesh;
     throw InvalidInput("-o " + file->path() + ": " + flat_in_words(mesh, flat) +
@@ -114,10 +116,12 @@ void require_closed_boundary(const Job& job, const std::vector<JobFile>& files,
     }
 }
 
-/// Requires a file that states the materials of a job whose other files hold tetrahedra, which
-/// state none.
+/// Requires a file that states the materials of a job whose other files hold Delaunay tetrahedra,
+/// which state none.
 void require_materials_held(const Job& job, const std::vector<JobFile>& files) {
-    if (job.materials.empty() || files.empty()) return;
+    if (job.materials.empty() || files.empty() || job.meshes.front() == plane::MeshKind::kGrains) {
+        return;
+    }
     const bool is_held = std::any_of(files.begin(), files.end(), [&](const JobFile& file) {
         const SpaceFormat& format = *file.format->space;
         return !format.shows_tetrahedra(job.meshes.front()) &&
@@ -125,7 +129,19 @@ void require_materials_held(const Job& job, const std::vector<JobFile>& files) {
     });
     if (is_held) return;
     throw InvalidInput(
-        "tetrahedra state no phases and no orientations; add .csv or .vti, or leave these out");
+        "Delaunay tetrahedra are not cells, which phases and orientations belong to; take --mesh "
+        "grains, or add .csv or .vti");
+}
+
+/// Requires a file of tetrahedra for nodes in the middle of their edges.
+void require_order_held(const Job& job, const std::vector<JobFile>& files) {
+    if (job.tile.order == 1 || files.empty()) return;
+    const bool is_held = std::any_of(files.begin(), files.end(), [&](const JobFile& file) {
+        return file.format->space->shows_tetrahedra(job.meshes.front());
+    });
+    if (is_held) return;
+    throw InvalidInput("no output holds the mid-side nodes of order 2; add one of " +
+                       tetrahedra_extensions() + " with --mesh grains, or take order 1");
 }
 
 /// What the files of a job hold.
@@ -143,7 +159,9 @@ struct SpaceContent {
     std::vector<EncodedFile> encode(const JobFile& file) const {
         const SpaceFormat& format = *file.format->space;
         if (format.shows_tetrahedra(mesh())) {
-            return format.encode_tetrahedra(tetrahedra.value(), file.path());
+            FileOptions options = job.file_options;
+            options.materials = materials_of_tetrahedra();
+            return format.encode_tetrahedra(tetrahedra.value(), options, file.path());
         }
         if (format.encode != nullptr) {
             return format.encode(tile, job.file_options, file.path());
@@ -159,7 +177,7 @@ struct SpaceContent {
         const SpaceFormat& format = *file.format->space;
         if (format.is_picture()) return;
         if (format.shows_tetrahedra(mesh())) {
-            prove_own_tetrahedra(encoded.front(), tetrahedra.value());
+            prove_own_tetrahedra(encoded.front(), tetrahedra.value(), materials_of_tetrahedra());
         } else if (format.encode != nullptr) {
             prove_own_space_files(encoded, tile);
         } else if (file.format->reads_voxels()) {
@@ -172,6 +190,12 @@ struct SpaceContent {
     }
 
    private:
+    /// Delaunay tetrahedra have no materials.
+    const CellMaterials* materials_of_tetrahedra() const {
+        const bool are_stated = mesh() == plane::MeshKind::kGrains && !tile.materials.empty();
+        return are_stated ? &tile.materials : nullptr;
+    }
+
     std::vector<EncodedFile> encode_voxels(const JobFile& file) const {
         const SpaceDomain& domain = job.in_space();
         const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
@@ -216,6 +240,7 @@ void elongate(const space::Metric& metric, const space::Lattice& lattice,
 
 void SpaceWorld::check_files(const Job& job, const std::vector<JobFile>& files,
                              const std::vector<std::string>& phases) {
+    require_order_held(job, files);
     check_file_options(job, files, phases);
     require_materials_held(job, files);
 }

@@ -34,6 +34,8 @@ struct TetrahedralMesh {
     /// (mesher/space/grains): point_site then numbers the nodes of the torus, each with all its
     /// images, and sites are not points. Empty for Delaunay tetrahedra.
     std::vector<SiteId> cell = {};
+    /// 2: files also hold the nodes in the middle of edges (midside_nodes.hpp).
+    int order = 1;
 
     /// The image of a site that a point is: equal up to one translation of all images.
     Corner corner(int point) const { return {point_site[point], point_offset[point]}; }
