@@ -11,7 +11,7 @@ namespace {
 
 /// Edges below this part of h are removed from Voronoi cells: nobody sees them, and each would take
 /// layers of ever smaller tetrahedra.
-constexpr double kShortGrainEdgeInSpace = 1e-4;
+constexpr double kShortGrainEdgeInSpace = 1e-3;
 
 SpaceGrainFigures figures_of(const space::Grains& grains) {
     const space::TetrahedralMesh& mesh = grains.mesh.tetrahedra;
@@ -38,7 +38,8 @@ SpaceGrains build_space_grains(const Job& job, const space::Tessellation& cells,
     const double shortest = cells.delaunay.weights.size() > 0
                                 ? job.tile.short_edges
                                 : std::max(job.tile.short_edges, kShortGrainEdgeInSpace);
-    const space::CellComplex complex = without_short_edges(cells.complex(), shortest);
+    const space::CellComplex complex =
+        without_short_edges(cells.complex(), shortest, space::ShrinkRule::kWideCorners);
     Workers workers(job.run.n_threads);
     space::Grains grains = mesh_grains(
         cells.sites(), complex,

@@ -99,7 +99,8 @@ int number_of_nodes(const space::TetrahedralMesh& mesh) {
 
 void measure(const Choices& choices, std::uint64_t seed) {
     testing::GrainCase grains = testing::grain_case(choices.kind, choices.n, seed);
-    grains.complex = without_short_edges(std::move(grains.complex), choices.shortest);
+    grains.complex = without_short_edges(std::move(grains.complex), choices.shortest,
+                                         space::ShrinkRule::kWideCorners);
     Workers workers(choices.n_threads);
     std::vector<double> times{cpu_seconds()};
     const double wall = seconds_by(CLOCK_MONOTONIC);

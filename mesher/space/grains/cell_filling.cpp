@@ -24,8 +24,10 @@ constexpr double kTargetStep = 0.1;
 /// The sine below which flips accompany relaxations.
 constexpr double kRelaxedBelow = 0.6;
 
-/// Cells of more tetrahedra are filled once: flat ones, where other densities hardly help.
+/// Cells of more tetrahedra are filled once, and those with this part of them below kEnough: flat
+/// ones, where other densities hardly help.
 constexpr int kMostForAttempts = 5000;
+constexpr int kOneInSoMany = 20;
 
 /// One way to fill a cell.
 struct Attempt {
@@ -34,8 +36,12 @@ struct Attempt {
     double radius;
     int n_relaxations;
 };
-constexpr std::array kAttempts{Attempt{1, 1, 3}, Attempt{1, 1, 0}, Attempt{0.97, 0.9, 3},
-                               Attempt{1, 0.8, 1}, Attempt{0, 0.85, 0}};
+constexpr std::array kAttempts{Attempt{1, 1, 3},   Attempt{1, 1, 0},      Attempt{0.97, 0.9, 3},
+                               Attempt{1, 0.8, 1}, Attempt{0, 0.85, 0},   Attempt{1.07, 0.95, 2},
+                               Attempt{0.9, 1, 3}, Attempt{1.15, 0.85, 1}};
+/// Further attempts are made only below the sine of 13 degrees.
+constexpr int kUsualAttempts = 5;
+constexpr double kPoor = 0.2249510543438650;
 
 class Climb {
    public:
@@ -109,6 +115,14 @@ class Climb {
     VertexInsertion insertion_;
 };
 
+int n_below(const CellTetrahedra& cell, double quality) {
+    int n = 0;
+    for (int t = 0; t < cell.n_numbers(); ++t) {
+        n += cell.is_alive(t) && cell.quality(t) < quality ? 1 : 0;
+    }
+    return n;
+}
+
 }  // namespace
 
 void climb(CellTetrahedra& cell, int n_relaxations) { Climb(cell).run(n_relaxations); }
@@ -118,6 +132,7 @@ std::optional<CellTetrahedra> fill_cell(const CellHull& hull, double size) {
     if (!centre) return std::nullopt;
     std::optional<CellTetrahedra> best;
     double worst = 0;
+    int n_attempts = 0;
     for (const Attempt& attempt : kAttempts) {
         checkpoint();
         RefinementChoices choices{.size = size};
@@ -128,11 +143,15 @@ std::optional<CellTetrahedra> fill_cell(const CellHull& hull, double size) {
         refine(cell, choices);
         climb(cell, attempt.n_relaxations);
         const double quality = cell.worst();
+        const bool is_hopeless =
+            cell.n_numbers() > kMostForAttempts ||
+            static_cast<long>(kOneInSoMany) * n_below(cell, kEnough) > cell.n_numbers();
         if (!best || quality > worst) {
             worst = quality;
             best = std::move(cell);
         }
-        if (worst >= kEnough || best->n_numbers() > kMostForAttempts) break;
+        ++n_attempts;
+        if (is_hopeless || worst >= (n_attempts < kUsualAttempts ? kEnough : kPoor)) break;
     }
     return best;
 }

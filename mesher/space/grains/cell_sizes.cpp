@@ -1,8 +1,6 @@
 #include "mesher/space/grains/cell_sizes.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/portable/portable_functions.hpp"
@@ -13,9 +11,6 @@ namespace pcvt::space {
 namespace {
 
 constexpr double kDefaultPart = 1.0 / 3;
-/// The tetrahedra in a cube whose edge is the size, with those that are smaller at the faces.
-constexpr double kTetrahedraInCube = 12;
-constexpr double kMostInCell = 2e6;
 
 /// The width of each cell: the least of its extents normal to its faces, length units.
 std::vector<double> widths(const CellComplex& complex) {
@@ -49,24 +44,20 @@ std::vector<double> widths(const CellComplex& complex) {
 
 }  // namespace
 
-FlatCell::FlatCell(SiteId site, double n_tetrahedra)
-    : LimitExceeded("the cell of site " + std::to_string(site) + " is so flat that it would take " +
-                    std::to_string(std::lround(n_tetrahedra / 1e6)) +
-                    " million tetrahedra; pcvt makes at most 2 million in a cell"),
-      site_(site) {}
-
-std::vector<double> cell_sizes(const CellComplex& complex, double size) {
+CellSizes cell_sizes(const CellComplex& complex, double size) {
     const std::vector<double> width = widths(complex);
     const std::vector<CellBody> bodies = cell_bodies(complex);
-    std::vector<double> sizes;
+    CellSizes all;
     for (int c = 0; c < complex.n_cells; ++c) {
         const double edge = portable_cbrt(bodies[c].volume);
         const double wanted = size > 0 ? std::min(size, kLargestSize * edge) : kDefaultPart * edge;
-        sizes.push_back(std::min(wanted, kSizeInWidth * width[c]));
-        const double n = kTetrahedraInCube * bodies[c].volume / std::pow(sizes[c], 3);
-        if (sizes[c] < wanted && n > kMostInCell) throw FlatCell(c, n);
+        const double thin = kSizeInWidth * width[c];
+        const bool is_flat = thin < kLeastSizeInWidth * wanted;
+        if (is_flat)
+            all.flat.push_back({c, degrees_between({wanted, 0, 0}, {wanted, width[c], 0})});
+        all.sizes.push_back(is_flat ? wanted : std::min(wanted, thin));
     }
-    return sizes;
+    return all;
 }
 
 }  // namespace pcvt::space

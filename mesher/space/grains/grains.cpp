@@ -24,7 +24,9 @@ class GrainFilling {
         : complex_(complex), choices_(choices), workers_(workers) {}
 
     void run() {
-        sizes_ = cell_sizes(complex_, choices_.size);
+        CellSizes sizes = cell_sizes(complex_, choices_.size);
+        sizes_ = std::move(sizes.sizes);
+        flat_ = std::move(sizes.flat);
         surface_ = grain_surface(complex_, sizes_, workers_);
         report(0.1);
         hulls_ = cell_hulls(complex_, surface_);
@@ -43,6 +45,11 @@ class GrainFilling {
     Grains result(const Sites& sites, const Vec3& origin) const {
         Grains grains{.mesh = grain_mesh(sites, complex_, surface_, hulls_, cells_, origin)};
         SharpFeatures sharp = sharp_features(complex_, surface_, hulls_);
+        for (const FlatCell& flat : flat_) {
+            sharp.features.push_back(
+                {SharpFeature::Kind::kFlatCell, flat.cell, complex_.sites[flat.cell], flat.angle});
+            std::fill(sharp.near[flat.cell].begin(), sharp.near[flat.cell].end(), 1);
+        }
         for (std::size_t c = 0; c < cells_.size(); ++c)
             add_angles(cells_[c], sharp.near[c], grains);
         grains.sharp_features = std::move(sharp.features);
@@ -98,6 +105,7 @@ class GrainFilling {
     const GrainChoices& choices_;
     Workers& workers_;
     std::vector<double> sizes_;
+    std::vector<FlatCell> flat_;
     GrainSurface surface_;
     std::vector<CellHull> hulls_;
     std::vector<CellTetrahedra> cells_;

@@ -17,6 +17,25 @@ bool is_thin(const Vec3& a, const Vec3& b, const Vec3& c) {
                      degrees_between(a - c, b - c)}) < kSharpAngle;
 }
 
+/// The least extent of a face normal to one of its edges, and the longest edge.
+std::pair<double, double> width_and_length(const CellComplex& complex, int f) {
+    const std::span<const VertexImage> corners = complex.corners_of(f);
+    double width = kUnlimited;
+    double longest = 0;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Vec3 a = complex.position(corners[k]);
+        const Vec3 along = complex.position(corners[(k + 1) % corners.size()]) - a;
+        double extent = 0;
+        for (const VertexImage& corner : corners) {
+            const Vec3 arm = complex.position(corner) - a;
+            extent = std::max(extent, length(cross_product(along, arm)) / length(along));
+        }
+        width = std::min(width, extent);
+        longest = std::max(longest, length(along));
+    }
+    return {width, longest};
+}
+
 class FeatureSearch {
    public:
     FeatureSearch(const CellComplex& complex, const GrainSurface& surface,
@@ -55,10 +74,27 @@ class FeatureSearch {
         found_.near[cell][hulls_[cell].find(image)] = 1;
     }
 
+    void mark_face(int f) {
+        const CellFace& face = complex_.faces[f];
+        for (const SurfaceTriangle& triangle : surface_.triangles[f]) {
+            for (const NodeImage& image : triangle) {
+                mark(face.cell, image);
+                mark(face.neighbour, {image.vertex, image.offset - face.offset});
+            }
+        }
+    }
+
     void visit_face(int f) {
         const CellFace& face = complex_.faces[f];
         const std::span<const VertexImage> corners = complex_.corners_of(f);
         const FacePlane plane = face_plane(complex_, f);
+        if (const auto [width, longest] = width_and_length(complex_, f);
+            width < kNarrowPart * longest) {
+            found_.features.push_back({SharpFeature::Kind::kNarrowFace, face.cell,
+                                       complex_.position(corners[0]),
+                                       degrees_between({longest, 0, 0}, {longest, width, 0})});
+            mark_face(f);
+        }
         for (std::size_t k = 0; k < corners.size(); ++k) {
             const Vec3 at = complex_.position(corners[k]);
             const Vec3 ahead = complex_.position(corners[(k + 1) % corners.size()]) - at;

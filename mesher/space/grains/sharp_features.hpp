@@ -8,17 +8,22 @@ namespace pcvt::space {
 
 /// Features below this angle are named, degrees, and edges whose angle is this near to 180.
 inline constexpr double kSharpAngle = 20;
+/// Narrower faces keep long thin triangles in their middle.
+inline constexpr double kNarrowPart = 0.05;
 
 /// A corner of a face, or an edge of a cell, beside which an angle below kSharpAngle is
-/// unavoidable.
+/// unavoidable; a face narrower than kNarrowPart of its length; or a cell that is flat over the
+/// size of its tetrahedra.
 struct SharpFeature {
-    enum class Kind { kFaceCorner, kCellEdge };
+    enum class Kind { kFaceCorner, kCellEdge, kNarrowFace, kFlatCell };
     Kind kind;
-    /// One of the two cells of the face, or the cell of the edge.
+    /// One of the two cells of the face, the cell of the edge, or the flat cell.
     SiteId cell;
-    /// The corner, or the middle of the edge, in the frame of the cell, length units.
+    /// The corner, the middle of the edge, the first corner of the face, or the site, in the frame
+    /// of the cell, length units.
     Vec3 place;
-    /// The angle between the edges at the corner, or between the faces at the edge, degrees.
+    /// The angle between the edges at the corner, between the faces at the edge, or
+    /// FlatCell::angle, degrees.
     double angle;
 };
 

@@ -1,9 +1,13 @@
 #include "mesher/space/mesh/short_edges.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <numbers>
+#include <optional>
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/portable/portable_angles.hpp"
 #include "mesher/portable/portable_functions.hpp"
 #include "mesher/space/mesh/polyhedron_graph.hpp"
 
@@ -16,6 +20,11 @@ constexpr double kLeastVolume = 0.5;
 /// Least distance of a cell's centroid from the planes between its site and its neighbours, in
 /// units of the distance between the sites. It exceeds the rounding of positions in files.
 constexpr double kLeastDepth = 1e-6;
+
+/// Corners below this angle must not get sharper, degrees, and how much wider than another one a
+/// corner is at least.
+constexpr double kSharpCorner = 15;
+constexpr double kCornerGain = 1e-6;
 
 /// An edge from vertex `from` in the domain to an image of vertex `to`.
 struct ShortEdge {
@@ -37,11 +46,27 @@ Corners shrunk(Corners corners, const ShortEdge& edge) {
     return corners;
 }
 
+/// The sharpest corner of a face, degrees.
+template <class Position>
+double sharpest_corner(const Corners& corners, const Position& at) {
+    const std::size_t n = corners.size();
+    double sharpest = 180;
+    for (std::size_t k = 0; k < n; ++k) {
+        const Vec3 here = at(corners[k]);
+        const Vec3 ahead = at(corners[(k + 1) % n]) - here;
+        const Vec3 behind = at(corners[(k + n - 1) % n]) - here;
+        const double angle = portable_atan2(ahead.cross(behind).norm(), ahead.dot(behind));
+        sharpest = std::min(sharpest, angle * 180 / std::numbers::pi);
+    }
+    return sharpest;
+}
+
 /// A diagram that loses edges.
 class ShrinkingComplex {
    public:
-    ShrinkingComplex(const CellComplex& complex, double shortest)
+    ShrinkingComplex(const CellComplex& complex, double shortest, ShrinkRule rule)
         : complex_(complex),
+          rule_(rule),
           part_(shortest),
           shortest_(shortest * portable_cbrt(complex.reduced.volume() / complex.n_cells)),
           positions_(complex.vertices),
@@ -73,8 +98,10 @@ class ShrinkingComplex {
         for (const ShortEdge& edge : short_edges()) {
             checkpoint_each(n_seen++, 64);
             if (!is_left_[edge.from] || !is_left_[edge.to.vertex]) continue;
-            if (!(length(edge) < shortest_) || !may_remove(edge)) continue;
-            remove(edge);
+            if (!(length(edge) < shortest_)) continue;
+            const std::optional<Vec3> end = place(edge);
+            if (!end) continue;
+            remove(edge, *end);
             any = true;
         }
         return any;
@@ -124,9 +151,10 @@ class ShrinkingComplex {
     double length(const ShortEdge& edge) const {
         return (position(edge.to) - positions_[edge.from]).norm();
     }
-    /// How far the middle of an edge is from the vertices of the diagram that would lie there.
-    double would_move(const ShortEdge& edge) const {
-        return length(edge) / 2 + std::max(moved_[edge.from], moved_[edge.to.vertex]);
+    /// How far a point of an edge is from the vertices of the diagram that would lie there.
+    double would_move(const ShortEdge& edge, const Vec3& end) const {
+        return std::max((end - positions_[edge.from]).norm() + moved_[edge.from],
+                        (end - position(edge.to)).norm() + moved_[edge.to.vertex]);
     }
 
     /// Edges between different vertices, each once, the shortest first.
@@ -178,17 +206,20 @@ class ShrinkingComplex {
         return faces;
     }
 
-    CellBody body(const std::vector<Corners>& faces, const ShortEdge& edge) const {
-        const Vec3 end = middle(edge);
+    /// The position of a corner when the first end of an edge comes to lie at `end`.
+    Vec3 position_with(const ShortEdge& edge, const Vec3& end, const VertexImage& corner) const {
+        if (corner.vertex != edge.from) return position(corner);
+        return end + complex_.reduced.translation(corner.offset);
+    }
+
+    CellBody body(const std::vector<Corners>& faces, const ShortEdge& edge, const Vec3& end) const {
         std::vector<Vec3> points;
-        const auto place = [&](const VertexImage& corner) {
-            if (corner.vertex != edge.from) return position(corner);
-            return Vec3(end + complex_.reduced.translation(corner.offset));
-        };
-        PyramidSum sum(place(faces[0][0]));
+        PyramidSum sum(position_with(edge, end, faces[0][0]));
         for (const Corners& face : faces) {
             points.clear();
-            for (const VertexImage& corner : face) points.push_back(place(corner));
+            for (const VertexImage& corner : face) {
+                points.push_back(position_with(edge, end, corner));
+            }
             sum.add(points);
         }
         return sum.body();
@@ -209,21 +240,75 @@ class ShrinkingComplex {
         });
     }
 
-    bool may_remove(const ShortEdge& edge) const {
-        if (would_move(edge) > shortest_) return false;
+    bool may_remove(const ShortEdge& edge, const Vec3& end) const {
+        if (would_move(edge, end) > shortest_) return false;
         for (const SiteId cell : cells_at(edge)) {
             const std::vector<Corners> faces = faces_without(edge, cell);
             if (!is_polyhedron(faces)) return false;
-            const CellBody left = body(faces, edge);
+            const CellBody left = body(faces, edge, end);
             if (!(left.volume >= kLeastVolume * volumes_[cell])) return false;
             if (!is_on_its_side(left.centroid, edge, cell)) return false;
         }
         return true;
     }
 
-    void remove(const ShortEdge& edge) {
-        const Vec3 end = middle(edge);
-        const double moved = would_move(edge);
+    /// The sharpest corner, degrees, of the faces at the ends of an edge, as they are.
+    double sharpest_before(const ShortEdge& edge) const {
+        double sharpest = 180;
+        for (const SiteId cell : cells_at(edge)) {
+            for (const Use& use : uses_[cell]) {
+                const Corners& corners = faces_[use.face];
+                const bool is_at_edge =
+                    std::any_of(corners.begin(), corners.end(), [&](const VertexImage& corner) {
+                        return corner.vertex == edge.from || corner.vertex == edge.to.vertex;
+                    });
+                if (!is_at_edge) continue;
+                sharpest = std::min(sharpest, sharpest_corner(corners, [&](const VertexImage& c) {
+                                        return position(c);
+                                    }));
+            }
+        }
+        return sharpest;
+    }
+
+    /// The same when the edge has shrunk to a point.
+    double sharpest_with(const ShortEdge& edge, const Vec3& end) const {
+        double sharpest = 180;
+        for (const SiteId cell : cells_at(edge)) {
+            for (const Use& use : uses_[cell]) {
+                const Corners corners = shrunk(faces_[use.face], edge);
+                if (corners.size() < 3) continue;
+                const bool is_at_edge = std::any_of(
+                    corners.begin(), corners.end(),
+                    [&](const VertexImage& corner) { return corner.vertex == edge.from; });
+                if (!is_at_edge) continue;
+                sharpest = std::min(sharpest, sharpest_corner(corners, [&](const VertexImage& c) {
+                                        return position_with(edge, end, c);
+                                    }));
+            }
+        }
+        return sharpest;
+    }
+
+    /// The point to which an edge may shrink, if there is any.
+    std::optional<Vec3> place(const ShortEdge& edge) const {
+        const Vec3 half = middle(edge);
+        if (rule_ == ShrinkRule::kMiddle) {
+            return may_remove(edge, half) ? std::optional<Vec3>(half) : std::nullopt;
+        }
+        std::optional<Vec3> best;
+        double widest = std::min(kSharpCorner, sharpest_before(edge) - kCornerGain);
+        for (const Vec3& end : {half, positions_[edge.from], position(edge.to)}) {
+            const double sharpest = sharpest_with(edge, end);
+            if (!(sharpest > widest + kCornerGain) || !may_remove(edge, end)) continue;
+            widest = sharpest;
+            best = end;
+        }
+        return best;
+    }
+
+    void remove(const ShortEdge& edge, const Vec3& end) {
+        const double moved = would_move(edge, end);
         const std::vector<SiteId> cells = cells_at(edge);
         for (const SiteId cell : cells) {
             for (const Use& use : uses_[cell]) {
@@ -239,6 +324,7 @@ class ShrinkingComplex {
     }
 
     const CellComplex& complex_;
+    ShrinkRule rule_;
     double part_;
     double shortest_;
     std::vector<Vec3> positions_;
@@ -256,9 +342,9 @@ class ShrinkingComplex {
 
 }  // namespace
 
-CellComplex without_short_edges(CellComplex complex, double shortest) {
+CellComplex without_short_edges(CellComplex complex, double shortest, ShrinkRule rule) {
     if (shortest == 0) return complex;
-    ShrinkingComplex shrinking(complex, shortest);
+    ShrinkingComplex shrinking(complex, shortest, rule);
     while (shrinking.remove_edges()) {
     }
     return shrinking.result();

@@ -7,8 +7,17 @@ namespace pcvt::space {
 /// The largest CellComplex::short_edges of a run: an edge of a truncated octahedron has 0.45 h.
 inline constexpr double kLongestShortEdge = 0.1;
 
+/// Where the vertex lies to which an edge shrinks.
+enum class ShrinkRule {
+    /// In the middle.
+    kMiddle,
+    /// In the middle or at an end: where the sharpest corner of the faces there is widest. An edge
+    /// remains if that corner would be below 15 degrees and sharper than before.
+    kWideCorners,
+};
+
 /// Removes short edges from a Voronoi diagram of the 3-torus: shrinks each edge shorter than
-/// `shortest` h to one vertex in its middle, the shortest first, until no further edge may be
+/// `shortest` h to one vertex, the shortest first, until no further edge may be
 /// removed. Triangles round a removed edge vanish with it.
 ///
 /// Example usage:
@@ -23,11 +32,16 @@ inline constexpr double kLongestShortEdge = 0.1;
 ///       the domain. Faces remain those of the same cells.
 ///   (2) No remaining edge shorter than `shortest` h may be removed.
 ///   (3) A vertex moves only if it lies on a removed edge, and by at most `shortest` h.
-///   (4) The cells remain those of their sites (prove_cell_sites()), also where sites form clusters
+///   (4) With kWideCorners, no face gets a corner below 15 degrees that is sharper than all that
+///       its neighbourhood had before.
+///   (5) The cells remain those of their sites (prove_cell_sites()), also where sites form clusters
 ///       whose cells are smaller than `shortest` h.
 ///
 /// @param shortest  a part of h, the mean spacing of the sites, at most kLongestShortEdge; 0
 ///                  leaves the diagram as it is.
-CellComplex without_short_edges(CellComplex complex, double shortest);
+/// @param rule      kWideCorners for cells that are filled with tetrahedra, whose angles follow the
+///                  corners of faces.
+CellComplex without_short_edges(CellComplex complex, double shortest,
+                                ShrinkRule rule = ShrinkRule::kMiddle);
 
 }  // namespace pcvt::space

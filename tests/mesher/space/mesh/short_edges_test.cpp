@@ -183,7 +183,46 @@ TEST(ShortSpaceEdges, LeaveCellsWithTheVolumesOfFiniteVolumeSolvers) {
     EXPECT_GT(bent, 1e-3);
 }
 
+double sharpest_corner(const CellComplex& complex) {
+    double sharpest = 180;
+    for (int f = 0; f < complex.n_faces(); ++f) {
+        const auto corners = complex.corners_of(f);
+        const std::size_t n = corners.size();
+        for (std::size_t k = 0; k < n; ++k) {
+            const Vec3 at = complex.position(corners[k]);
+            const Vec3 u = complex.position(corners[(k + 1) % n]) - at;
+            const Vec3 w = complex.position(corners[(k + n - 1) % n]) - at;
+            const double angle = std::atan2(u.cross(w).norm(), u.dot(w));
+            sharpest = std::min(sharpest, angle * 180 / M_PI);
+        }
+    }
+    return sharpest;
+}
+
 /// Law (4).
+TEST(ShortSpaceEdges, MakeNoSharperCornerWithTheRuleForGrains) {
+    const Lattice cube = Lattice::box(1, 1, 1);
+    int n_wider = 0;
+    int n_removed = 0;
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        SCOPED_TRACE(seed);
+        const CellComplex complex = complex_of({"", cube, uniform_points(cube, 60, seed)});
+        for (const double shortest : {1e-3, 0.05, 0.1}) {
+            const CellComplex left =
+                without_short_edges(complex, shortest, ShrinkRule::kWideCorners);
+            const CellComplex middle = without_short_edges(complex, shortest);
+            EXPECT_NO_THROW(prove_polyhedra(
+                polyhedral_mesh(Sites(cube, uniform_points(cube, 60, seed)), left)));
+            EXPECT_GE(sharpest_corner(left), std::min(15.0, sharpest_corner(complex)) - 1e-5);
+            n_wider += sharpest_corner(left) > sharpest_corner(middle) ? 1 : 0;
+            n_removed += static_cast<int>(complex.vertices.size() - left.vertices.size());
+        }
+    }
+    EXPECT_GT(n_wider, 5);
+    EXPECT_GT(n_removed, 100);
+}
+
+/// Law (5).
 TEST(ShortSpaceEdges, LeaveTheCellsOfClustersOnTheirSides) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const Lattice lattice({1, 0, 0}, {-0.28, 1, 0}, {-0.13, -0.33, 1.9});
