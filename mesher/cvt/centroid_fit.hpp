@@ -4,14 +4,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "mesher/base/error.hpp"
 #include "mesher/cvt/centroid_figures.hpp"
 #include "mesher/cvt/cvt_objective.hpp"
 #include "mesher/cvt/size_newton.hpp"
 #include "mesher/optimize/convex_lbfgs.hpp"
 
 namespace pcvt {
+
+/// Prescribed centroids and sites that are fitted to them stay this far from each other, in units
+/// of h: cells of sites whose coordinates are rounded, by 2^-50 of a period, are still exact to
+/// 1e-9 of the mean size then.
+inline constexpr double kNearestSites = 1e-5;
 
 /// Finds the sites whose power cells have prescribed sizes s_i and centroids t_i, in the plane and
 /// in space.
@@ -27,7 +35,9 @@ namespace pcvt {
 /// S. Roper 2024). Its minimum has the prescribed centroids. x_i and t_i are compared unwrapped,
 /// and E is bounded on the torus, so that a minimum exists for any centroids. Where it lies at
 /// sites that coincide, which centroids of no power diagram may bring about, sites come close to
-/// each other, and the run ends as stalled once the centroids no longer come nearer.
+/// each other, but stay so far apart that doubles and files hold their cells: a step is shortened
+/// that brings two sites within kNearestSites, or to where the rounding of weights changes a size
+/// by more than kMostRounding. The run ends as stalled once the centroids no longer come nearer.
 ///
 /// L-BFGS minimises P from x = t. In units of 2 s_i its Hessian is near to the identity, so that
 /// the first step is t_i - g_i.
@@ -41,19 +51,23 @@ class CentroidObjective final : public Objective {
     using Points = std::decay_t<decltype(std::declval<Moving>().coordinates())>;
     using Point = Eigen::Vector<double, Moving::kDimension>;
     using Measure = void(const Diagram& diagram, Workers& workers, Energy& cells);
+    /// The length of the shortest edge between two sites, units.
+    using ShortestEdge = double(const Moving& moving);
 
-    /// All arguments but the last must outlive this object.
+    /// All arguments but the functions must outlive this object.
     /// @param moving  its sites are the prescribed centroids.
     /// @param sizes   s_i in the unit and the order of `moving`, with the sum of the domain's size.
     CentroidObjective(Moving& moving, const Eigen::VectorXd& sizes, Workers& workers,
-                      const NewtonCallback& callback, Measure* measure)
+                      const NewtonCallback& callback, Measure* measure, ShortestEdge* shortest_edge)
         : moving_(moving),
           sizes_(sizes),
           workers_(workers),
           callback_(callback),
           measure_(measure),
+          shortest_edge_(shortest_edge),
           pass_(moving, workers),
           newton_(moving, workers),
+          most_rounding_(kMostRounding * sizes.mean()),
           targets_(moving.coordinates()),
           from_targets_(Points::Zero(Moving::kDimension, moving.n_sites())),
           trial_(from_targets_) {}
@@ -64,8 +78,14 @@ class CentroidObjective final : public Objective {
         if (!undo_step()) return false;
         if (t != 0 && !moving_.step(direction, t, workers_)) return false;
         if (!pass_.evaluate(euclidean_)) return false;
+        if (t != 0 && shortest_edge_(moving_) < kNearestSites * moving_.spacing()) return false;
         place(direction, t);
         if (!solve(kTrialTolerance)) return false;
+        if (t == 0) {
+            most_rounding_ = std::max(most_rounding_, newton_.recent_rounding());
+        } else if (newton_.recent_rounding() > most_rounding_) {
+            return false;
+        }
         fill(evaluation);
         if (t == 0) note_best();
         return true;
@@ -84,18 +104,24 @@ class CentroidObjective final : public Objective {
     /// Goes to the point of the run with the nearest centroids, which need not be the last one, and
     /// solves for the sizes there, to a tolerance of their mean.
     /// @returns the figures of the centroids.
+    /// @throws InvalidInput if the sizes are not reached.
     CentroidFigures finish(double tolerance) {
         undo_step();
         const Eigen::VectorXf back = step_to_best();
         if (moving_.step(back, 1, workers_) && pass_.evaluate(euclidean_)) {
             place(back, 1);
             moving_.settle();
+            newton_.start_next_from(best_weights_);
         } else {
             undo_step();
             pass_.evaluate(euclidean_);
             trial_ = from_targets_;
         }
-        solve(tolerance);
+        if (!solve(tolerance)) {
+            throw InvalidInput(
+                "doubles do not hold power cells with these sizes and centroids; correct the "
+                "centroids and the sizes, or take fewer iterations");
+        }
         Evaluation last;
         fill(last);
         const Eigen::VectorXd apart = scaled(last.gradient);
@@ -122,6 +148,8 @@ class CentroidObjective final : public Objective {
     static constexpr double kTrialTolerance = 1e-8;
     /// A part of the mean size; steps to sites whose sizes are off by more are shortened.
     static constexpr double kWorstTrial = 1e-5;
+    /// A part of the mean size, or the rounding at the beginning where it is larger.
+    static constexpr double kMostRounding = 1e-10;
 
     bool undo_step() {
         if (moving_.settled()) return true;
@@ -134,6 +162,7 @@ class CentroidObjective final : public Objective {
         if (!(rms_ < best_rms_)) return;
         best_rms_ = rms_;
         best_ = trial_;
+        best_weights_ = newton_.weights();
     }
     Eigen::VectorXf step_to_best() const {
         Eigen::VectorXf step = Eigen::VectorXf::Zero(n_variables());
@@ -207,9 +236,11 @@ class CentroidObjective final : public Objective {
     Workers& workers_;
     const NewtonCallback& callback_;
     Measure* measure_;
+    ShortestEdge* shortest_edge_;
     Pass pass_;
     Energy euclidean_;
     SizeNewton<Diagram> newton_;
+    double most_rounding_;
     Energy cells_;
     SizeFigures figures_;
     /// The prescribed centroids, reduced basis.
@@ -217,11 +248,24 @@ class CentroidObjective final : public Objective {
     /// x_i - t_i of the point and of the trial, frame, units.
     Points from_targets_;
     Points trial_;
-    /// The RMS distance of the centroids at the trial; its least value at a point, and that point.
+    /// The RMS distance of the centroids at the trial; its least value at a point, that point and
+    /// its weights.
     double rms_ = 0;
     double best_rms_ = std::numeric_limits<double>::infinity();
     Points best_;
+    Eigen::VectorXd best_weights_;
 };
+
+/// @param pairs  centroids within kNearestSites h of an earlier one.
+/// @throws InvalidInput if there are any.
+inline void require_apart(const std::vector<CoincidentSite>& pairs) {
+    if (pairs.empty()) return;
+    throw InvalidInput(
+        "the centroids of grains " + std::to_string(pairs.front().earlier) + " and " +
+        std::to_string(pairs.front().site) +
+        " nearly coincide, which those of no power cells do; correct one of them, or "
+        "merge the two grains");
+}
 
 /// Ends a run whose centroids no longer come nearer, at one of its best iterations.
 class CentroidPatience {

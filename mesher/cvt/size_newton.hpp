@@ -18,9 +18,9 @@ struct SizeFigures {
     /// Products with the Laplacian, and triangulations of trial weights.
     int products = 0;
     int trials = 0;
-    /// A bound of the relative error by rounding, SizeNewton::rounding() over the least target.
-    /// Computed, and above the usual tolerance, only where sites are much closer to each other than
-    /// the cells are long.
+    /// The largest r_i / s_i, a bound of the relative error by rounding (SizeNewton). Computed, and
+    /// above the usual tolerance, only where sites are much closer to each other than the cells are
+    /// long.
     double rounding = 0;
     /// Whether the error of each cell is below the tolerance or the rounding.
     bool converged = false;
@@ -42,16 +42,15 @@ using NewtonCallback = std::function<void(const SizeFigures&)>;
 /// would hide a cell is halved as well.
 ///
 /// Weights are doubles. The size m_i changes with the weight w_j by the conductance c_ij, the
-/// length or area of the common side over twice the distance of its sites, and a weight is rounded
-/// to 2^-53 |w|, so that each size has a rounding of its own,
+/// length or area of the common side over twice the distance of its sites. A step rounds each
+/// weight once, by at most 2^-53 |w|, so that doubles need not hold weights whose sizes are nearer
+/// to their targets than
 ///
 ///   r_i  =  k 2^-53 sum over the neighbours j of c_ij (|w_i| + |w_j|),
 ///
-/// where k counts roundings: of the weight in a step and where the mean is taken off, and of the
-/// heights that follow from it. Steps are judged by the largest |m_i - s_i| over the tolerance or
-/// r_i where errors are that small, so that cells between near sites, which stay at their rounding,
-/// do not keep others from their targets. Tetrahedra between near sites belong to other cells as
-/// well, so that the bound of all errors is r, the largest r_i.
+/// where k = 1 if sizes are measured without an error of that magnitude. Steps are judged by the
+/// largest |m_i - s_i| over the tolerance or r_i where errors are that small, so that cells between
+/// near sites, which stay at their rounding, do not keep others from their targets.
 ///
 /// `Diagram` is the power diagram of the sites of a `Diagram::Moving`, copied and swapped freely,
 /// with weights of its own (plane::PowerDiagram):
@@ -64,6 +63,7 @@ using NewtonCallback = std::function<void(const SizeFigures&)>;
 ///   weights(), sizes()         w and m, by site
 ///   graph()                    the adjacency of the cells
 ///   kSizeRounding              k 2^-53
+///   kAimedRounding             the same for sizes that a few more steps reach
 ///   kAggregation               the argument of LaplacianSolver
 ///   kWarmTrials                how often weights of an earlier call, then halves of them, are
 ///   tried
@@ -76,7 +76,7 @@ using NewtonCallback = std::function<void(const SizeFigures&)>;
 ///     const Eigen::VectorXd& weights = newton.weights();
 ///
 /// Laws, tested by number:
-///   (1) |m_i - s_i| <= max(`tolerance` s_i, r), for any sites, n >= 1 and positive targets that
+///   (1) |m_i - s_i| <= max(`tolerance` s_i, r_i), for any sites, n >= 1 and positive targets that
 ///       sum to the size of the domain.
 ///   (2) The weights sum to zero, and equal targets on a lattice give equal weights.
 ///   (3) Every bit is the same for any number of workers.
@@ -98,18 +98,26 @@ class SizeNewton {
     ///                 domain's size.
     SizeFigures solve(const Eigen::VectorXd& targets, double tolerance,
                       const NewtonCallback& callback = {});
+    /// The next call of solve() starts from these weights instead of those of the last call.
+    void start_next_from(const Eigen::VectorXd& weights) { warm_ = weights; }
 
     /// In units^2.
     const Eigen::VectorXd& weights() const { return here_.weights(); }
     const Eigen::VectorXd& sizes() const { return here_.sizes(); }
     const Diagram& diagram() const { return here_; }
-    /// r in the unit of sizes(), for the present weights.
-    double rounding() const { return orbit_roundings(graph()).maxCoeff(); }
+    /// The largest r_i in the unit of sizes(), for the present weights.
+    double rounding() const { return orbit_roundings(graph(), Diagram::kSizeRounding).maxCoeff(); }
+    /// The largest r_i before the last step of solve(), which is near to rounding() and costs
+    /// nothing.
+    double recent_rounding() const {
+        if (roundings_.size() == 0) return rounding();
+        return Diagram::kSizeRounding / Diagram::kAimedRounding * roundings_.maxCoeff();
+    }
 
    private:
     /// The adjacency of the orbits of cells.
     CellGraph graph() const { return orbits_.merged(here_.graph()); }
-    Eigen::VectorXd orbit_roundings(const CellGraph& cells) const;
+    Eigen::VectorXd orbit_roundings(const CellGraph& cells, double of_weight) const;
     /// The largest error over the tolerance or the rounding of its cell.
     double excess(const Eigen::VectorXd& sizes, const Eigen::VectorXd& targets,
                   double tolerance) const;
@@ -123,7 +131,9 @@ class SizeNewton {
     WeightOrbits orbits_;
     Diagram here_;
     Diagram trial_;
-    /// The part of r_i by site that steps aim at.
+    /// The weights from which the next call of solve() starts, if they are not those of here_.
+    Eigen::VectorXd warm_;
+    /// r_i by site, for the roundings that steps aim at.
     Eigen::VectorXd roundings_;
     double last_step_ = 1;
 };

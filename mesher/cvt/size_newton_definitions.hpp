@@ -33,8 +33,6 @@ inline constexpr double kShortestStep = 0x1p-30;
 /// judged by the largest error of a cell, and one that does not lower it ends the iteration.
 inline constexpr double kRounding = 1e-9;
 inline constexpr double kPerRounding = 4;
-/// Most cells come as near to their targets as this share of r_i, which steps aim at.
-inline constexpr double kUsualRounding = 0x1p-3;
 inline constexpr int kMostSteps = 200;
 
 inline double largest_error(const Eigen::VectorXd& sizes, const Eigen::VectorXd& targets) {
@@ -48,9 +46,11 @@ SizeNewton<Diagram>::SizeNewton(const Moving& moving, Workers& workers, WeightOr
     : orbits_(std::move(orbits)), here_(moving, workers), trial_(moving, workers) {}
 
 /// r_i of each orbit, for one of its cells.
-/// @param cells  the graph of the present weights.
+/// @param cells      the graph of the present weights.
+/// @param of_weight  k 2^-53
 template <class Diagram>
-Eigen::VectorXd SizeNewton<Diagram>::orbit_roundings(const CellGraph& cells) const {
+Eigen::VectorXd SizeNewton<Diagram>::orbit_roundings(const CellGraph& cells,
+                                                     double of_weight) const {
     // The weights of an orbit are equal.
     const Eigen::VectorXd n_cells = orbits_.sums(Eigen::VectorXd::Ones(here_.n_sites()));
     const Eigen::VectorXd magnitude = orbits_.sums(weights().cwiseAbs()).cwiseQuotient(n_cells);
@@ -60,7 +60,7 @@ Eigen::VectorXd SizeNewton<Diagram>::orbit_roundings(const CellGraph& cells) con
             sums[s] += cells.conductance[k] * (magnitude[s] + magnitude[cells.neighbour[k]]);
         }
     }
-    return Diagram::kSizeRounding * sums.cwiseQuotient(n_cells);
+    return of_weight * sums.cwiseQuotient(n_cells);
 }
 
 template <class Diagram>
@@ -73,8 +73,9 @@ double SizeNewton<Diagram>::excess(const Eigen::VectorXd& sizes, const Eigen::Ve
 /// Chooses the weights at which the iteration begins.
 template <class Diagram>
 void SizeNewton<Diagram>::begin(double least_target) {
-    if (here_.weights().size() == here_.n_sites()) {
-        Eigen::VectorXd warm = here_.weights();
+    Eigen::VectorXd warm = warm_.size() > 0 ? warm_ : here_.weights();
+    warm_.resize(0);
+    if (warm.size() == here_.n_sites()) {
         for (int k = 0; k < Diagram::kWarmTrials; ++k) {
             here_.start();
             if (here_.set_weights(warm) &&
@@ -101,15 +102,16 @@ typename SizeNewton<Diagram>::Outcome SizeNewton<Diagram>::search(const Eigen::V
     const double here = near ? excess(here_.sizes(), targets, tolerance) : 0;
     for (double t = std::min(1.0, detail::kLonger * last_step_); t >= shortest; t /= 2) {
         trial_.start(here_);
-        Eigen::VectorXd weights = here_.weights() + t * direction;
-        weights.array() -= weights.mean();
+        // Round each weight once.
+        const double mean = (here_.weights() + t * direction).mean();
+        Eigen::VectorXd weights = here_.weights().array() + (t * direction.array() - mean);
         ++figures.trials;
         if (!trial_.set_weights(std::move(weights))) continue;
         if (!(trial_.sizes().minCoeff() >= least_size)) continue;
-        const bool lower =
-            near ? excess(trial_.sizes(), targets, tolerance) <= std::max(1.0, (1 - t / 2) * here)
-                 : (targets - trial_.sizes()).norm() <= (1 - t / 2) * error;
-        if (lower) {
+        const bool lower = (targets - trial_.sizes()).norm() <= (1 - t / 2) * error;
+        // A cell of rounding size must not keep the error of others, nor the others that cell's.
+        if (lower || (near && excess(trial_.sizes(), targets, tolerance) <=
+                                  std::max(1.0, (1 - t / 2) * here))) {
             std::swap(here_, trial_);
             last_step_ = t;
             return Outcome::kAccepted;
@@ -126,7 +128,7 @@ bool SizeNewton<Diagram>::step(const Eigen::VectorXd& targets, double tolerance,
     const Eigen::VectorXd error = targets - here_.sizes();
     const Eigen::VectorXd error_of_orbits = orbits_.sums(error);
     const CellGraph cells = graph();
-    roundings_ = detail::kUsualRounding * orbits_.spread(orbit_roundings(cells));
+    roundings_ = orbits_.spread(orbit_roundings(cells, Diagram::kAimedRounding));
     if (excess(here_.sizes(), targets, tolerance) <= 1) return false;
     LaplacianSolver solver(cells, Diagram::kAggregation);
     Eigen::VectorXd direction;
@@ -150,6 +152,7 @@ template <class Diagram>
 SizeFigures SizeNewton<Diagram>::solve(const Eigen::VectorXd& targets, double tolerance,
                                        const NewtonCallback& callback) {
     begin(targets.minCoeff());
+    roundings_.resize(0);
     last_step_ = 1;
     const double least_size = std::min(targets.minCoeff(), sizes().minCoeff()) / 2;
     SizeFigures figures;
@@ -162,10 +165,11 @@ SizeFigures SizeNewton<Diagram>::solve(const Eigen::VectorXd& targets, double to
         if (!step(targets, tolerance, least_size, figures)) break;
         ++figures.newton_steps;
     }
-    const double most = rounding();
-    figures.rounding = most / targets.minCoeff();
+    const Eigen::VectorXd bound = orbits_.spread(orbit_roundings(graph(), Diagram::kSizeRounding));
+    figures.rounding = bound.cwiseQuotient(targets).maxCoeff();
     figures.converged =
-        ((sizes() - targets).array().abs() <= (tolerance * targets.array()).max(most)).all();
+        ((sizes() - targets).array().abs() <= (tolerance * targets.array()).max(bound.array()))
+            .all();
     return figures;
 }
 

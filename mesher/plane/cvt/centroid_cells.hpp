@@ -25,6 +25,7 @@ struct CentroidCells {
 ///   (1) The areas are those of options.areas, as in compute_area_cvt().
 ///   (2) The cells of a power diagram are found from their areas and centroids.
 ///   (3) The figures are the distances of the centroids of the cells from those prescribed.
+///   (4) Any two sites of the result are at least kNearestSites h from each other.
 ///
 /// @param centroids  2 x n, length units; need not be wrapped.
 /// @param options    areas; the sites are numbered as given. The run converges once every centroid

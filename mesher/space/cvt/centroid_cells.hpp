@@ -26,11 +26,13 @@ struct CentroidCells {
 ///   (2) The cells of a power diagram are found from their volumes and centroids.
 ///   (3) The figures are the distances of the centroids of the cells from those prescribed.
 ///   (4) Every bit is the same for any number of threads.
+///   (5) Any two sites of the result are at least kNearestSites h from each other.
 ///
 /// @param centroids  3 x n, length units; need not be wrapped.
 /// @param options    volumes; by_rank is ignored. The run converges once every centroid is within
 ///                   the tolerance, in units of h; max_iterations limits the iterations of L-BFGS.
-/// @throws as compute_volume_cvt does.
+/// @throws InvalidInput if two centroids are nearer than kNearestSites h to each other; else as
+///         compute_volume_cvt does.
 CentroidCells fit_volumes_and_centroids(const Lattice& lattice, const Points& centroids,
                                         const VolumeCvtOptions& options);
 

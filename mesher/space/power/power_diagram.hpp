@@ -40,9 +40,9 @@ struct PowerCounts {
 class PowerDiagram {
    public:
     using Moving = MovingTetrahedra;
-    /// Roundings of weights, and of the volumes of thin tetrahedra that are measured with them, add
-    /// up in one volume: 64. Errors of random cases reach 0.6 of the bound.
-    static constexpr double kSizeRounding = 0x1p-47;
+    /// One rounding of each weight; volumes are measured to 1e-11 of their mean or so.
+    static constexpr double kSizeRounding = 0x1p-53;
+    static constexpr double kAimedRounding = kSizeRounding;
     static constexpr auto kAggregation = LaplacianSolver::Aggregation::kStrong;
     /// Weights of earlier sites may hide some: halves of them are tried so often.
     static constexpr int kWarmTrials = 6;

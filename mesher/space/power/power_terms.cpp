@@ -6,7 +6,7 @@
 
 #include "mesher/base/simd.hpp"
 #include "mesher/base/target_clones.hpp"
-#include "mesher/space/delaunay/power_predicates.hpp"
+#include "mesher/space/power/thin_terms.hpp"
 
 // Functions that return vectors of the widest units are always inlined, so that they have no binary
 // interface.
@@ -269,37 +269,18 @@ PCVT_TARGET_CLONES void PowerBlock::compute_moments(const Frame& frame) {
 }
 
 void PowerBlock::correct(int k, const Frame& frame) {
-    // All lanes hold this tetrahedron.
-    const auto arrow = [&](const Vec3& u) {
-        const Vec3 at = frame.to_position(u);
-        return Arrow{at.x() + Lanes{}, at.y() + Lanes{}, at.z() + Lanes{}};
-    };
-    std::array<Vec3, 4> u{Vec3::Zero()};
-    std::array<Lanes, 4> w;
-    std::array<double, 4> of_gram;
+    std::array<Vec3, 3> at;
+    std::array<double, 4> weights;
+    for (int c = 0; c < 3; ++c) at[c] = {corner[c][0][k], corner[c][1][k], corner[c][2][k]};
+    for (int c = 0; c < 4; ++c) weights[c] = weight[c][k];
+    const ThinTerms terms = thin_terms(at, weights, frame);
     for (int c = 0; c < 4; ++c) {
-        if (c > 0) u[c] = {corner[c - 1][0][k], corner[c - 1][1][k], corner[c - 1][2][k]};
-        w[c] = weight[c][k] + Lanes{};
-        of_gram[c] = rounded_weight(weight[c][k] * frame.gram_per_square);
-    }
-    std::array<Arrow, 6> edge;
-    for (int e = 0; e < 6; ++e) {
-        const auto [i, j] = kEdges[e];
-        edge[e] = arrow(u[j] - u[i]);
-    }
-    WeightedShape shape =
-        weighted_shape({arrow(u[0]), arrow(u[1]), arrow(u[2]), arrow(u[3])}, w, edge);
-    shape.centre = arrow(exact_orthocentre(frame.gram, {u[1], u[2], u[3]}, of_gram));
-    set_heights(shape);
-    PowerBlock of_lanes;
-    store_sums(power_sums<true>(shape), 0, of_lanes);
-    for (int c = 0; c < 4; ++c) {
-        volume[c][k] = of_lanes.volume[c][0];
-        for (int axis = 0; axis < 3; ++axis) gradient[c][axis][k] = of_lanes.gradient[c][axis][0];
+        volume[c][k] = terms.volume[c];
+        for (int axis = 0; axis < 3; ++axis) gradient[c][axis][k] = terms.gradient[c][axis];
         height[c][k] = -std::numeric_limits<double>::infinity();
     }
-    for (int e = 0; e < 6; ++e) conductance[e][k] = of_lanes.conductance[e][0];
-    value[k] = of_lanes.value[0];
+    for (int e = 0; e < 6; ++e) conductance[e][k] = terms.conductance[e];
+    value[k] = terms.value;
 }
 
 }  // namespace pcvt::space

@@ -27,7 +27,8 @@ struct Circle {
 class Intervals {
    public:
     using Moving = Circle;
-    static constexpr double kSizeRounding = 0x1p-47;
+    static constexpr double kSizeRounding = 0x1p-53;
+    static constexpr double kAimedRounding = kSizeRounding;
     static constexpr auto kAggregation = LaplacianSolver::Aggregation::kPairs;
     static constexpr int kWarmTrials = 1;
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "mesher/base/error.hpp"
+#include "mesher/cvt/centroid_fit.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "tests/support/lattices.hpp"
@@ -108,6 +109,23 @@ TEST(CentroidCells, StateTheMisfitOfNoisyCentroids) {
     EXPECT_NEAR(cells.centroids.largest, off, 1e-9 + 1e-8 * off);
     EXPECT_LT((found.areas - grains.areas).cwiseAbs().maxCoeff(), 1e-9 * grains.areas.mean());
     EXPECT_LT(cells.centroids.mean, 0.055);
+}
+
+// Law 4: centroids that are made up belong to no power cells.
+TEST(CentroidCells, KeepSitesApartForCentroidsOfNoPowerCells) {
+    const Lattice lattice = Lattice::rectangle(1, 1);
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        const Points centroids = uniform_points(lattice, 2, seed);
+        const Grains grains{lattice, centroids, Eigen::Vector2d::Constant(0.5)};
+        const CentroidCells cells = fitted(grains, {.max_iterations = 100});
+        const Sites sites = cells.grains.delaunay.sites();
+        Vec2 apart = sites.coordinates().col(1) - sites.coordinates().col(0);
+        apart -= Vec2(apart.array().round());
+        EXPECT_GE(lattice.to_position(apart).norm(), 0.999 * kNearestSites * sites.spacing());
+    }
+    Points near = uniform_points(lattice, 5, 1);
+    near.col(3) = near.col(1) + Vec2(1e-6, 2);
+    EXPECT_THROW(fitted({lattice, near, Eigen::VectorXd::Constant(5, 0.2)}), InvalidInput);
 }
 
 TEST(CentroidCells, NeedOneAreaEach) {

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "mesher/base/error.hpp"
+#include "mesher/cvt/centroid_fit.hpp"
 #include "mesher/space/cvt/weighted_cells.hpp"
 #include "mesher/space/mesh/cell_complex.hpp"
 #include "tests/support/space_lattices.hpp"
@@ -137,6 +138,54 @@ TEST(CentroidCellsInSpace, DoNotDependOnThreadsNorOnImages) {
     EXPECT_EQ(one.centroids.mean, three.centroids.mean);
     for (int s = 0; s < 80; ++s) grains.centroids.col(s) += Vec3(s % 3, -(s % 5), s % 2);
     expect_recovered(grains);
+}
+
+/// The distance of the nearest two sites, in h.
+double nearest(const PeriodicDelaunay& delaunay) {
+    const Sites& sites = delaunay.sites;
+    double least = 1e300;
+    for (int s = 0; s < sites.n_sites(); ++s) {
+        for (int t = 0; t < s; ++t) {
+            Vec3 apart = sites.coordinates().col(s) - sites.coordinates().col(t);
+            apart -= Vec3(apart.array().round());
+            least = std::min(least, sites.reduction().reduced.to_position(apart).norm());
+        }
+    }
+    return least / sites.spacing();
+}
+
+// Law 5: centroids that are made up belong to no power cells, and sites come near each other.
+TEST(CentroidCellsInSpace, KeepSitesApartForCentroidsOfNoPowerCells) {
+    double least = 1;
+    for (const int n : {2, 3, 12}) {
+        for (std::uint64_t seed = 0; seed < 2; ++seed) {
+            SCOPED_TRACE(std::to_string(n) + " " + std::to_string(seed));
+            const Points centroids = uniform_points(testing::kCube, n, seed);
+            const Grains grains{testing::kCube, centroids, Eigen::VectorXd::Constant(n, 1.0 / n)};
+            const CentroidCells cells = fitted(grains, {.tolerance = 1e-6, .max_iterations = 100});
+            EXPECT_LE(cells.grains.largest_error, 1e-10);
+            const double apart = nearest(cells.grains.delaunay);
+            EXPECT_GE(apart, 0.999 * kNearestSites);
+            least = std::min(least, apart);
+            const Grains found = measured(cells.grains.delaunay);
+            EXPECT_LT((found.volumes - grains.volumes).cwiseAbs().maxCoeff(), 1e-9 / n);
+        }
+    }
+    // Without the bound they would coincide.
+    EXPECT_LT(least, 1e-4);
+}
+
+TEST(CentroidCellsInSpace, RefuseCentroidsThatNearlyCoincide) {
+    Points centroids = uniform_points(testing::kCube, 5, 1);
+    centroids.col(3) = centroids.col(1) + Vec3(1e-6, 0, 2);
+    try {
+        fitted({testing::kCube, centroids, Eigen::VectorXd::Constant(5, 0.2)});
+        FAIL();
+    } catch (const InvalidInput& error) {
+        EXPECT_STREQ(error.what(),
+                     "the centroids of grains 1 and 3 nearly coincide, which those of no power "
+                     "cells do; correct one of them, or merge the two grains");
+    }
 }
 
 TEST(CentroidCellsInSpace, NeedVolumesAndDistinctCentroids) {

@@ -12,6 +12,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/error.hpp"
+#include "mesher/portable/wide_double.hpp"
 #include "tests/support/case_count.hpp"
 #include "tests/support/random_space_sites.hpp"
 #include "tests/support/space_cells.hpp"
@@ -79,20 +80,20 @@ struct Campaign {
 };
 
 struct WideVector {
-    long double x;
-    long double y;
-    long double z;
+    WideDouble x;
+    WideDouble y;
+    WideDouble z;
 
     WideVector operator-(const WideVector& p) const { return {x - p.x, y - p.y, z - p.z}; }
     WideVector operator+(const WideVector& p) const { return {x + p.x, y + p.y, z + p.z}; }
-    WideVector times(long double s) const { return {s * x, s * y, s * z}; }
-    long double dot(const WideVector& p) const { return x * p.x + y * p.y + z * p.z; }
+    WideVector times(const WideDouble& s) const { return {s * x, s * y, s * z}; }
+    WideDouble dot(const WideVector& p) const { return x * p.x + y * p.y + z * p.z; }
     WideVector cross(const WideVector& p) const {
         return {y * p.z - z * p.y, z * p.x - x * p.z, x * p.y - y * p.x};
     }
 };
 using WideTetrahedron = std::array<WideVector, 4>;
-using WideNumbers = std::array<long double, 4>;
+using WideNumbers = std::array<WideDouble, 4>;
 
 WideVector wide_orthocentre(const WideTetrahedron& p, const WideNumbers& w) {
     const std::array<WideVector, 3> d{p[1] - p[0], p[2] - p[0], p[3] - p[0]};
@@ -103,70 +104,79 @@ WideVector wide_orthocentre(const WideTetrahedron& p, const WideNumbers& w) {
     return p[0] + sum.times(1 / (2 * d[0].dot(first)));
 }
 
-/// What a tetrahedron contributes to the volumes of the power cells of its corners: pyramids from
-/// each corner over triangles between the feet of an edge and of a facet, and the orthocentre.
-WideNumbers wide_contributions(const WideTetrahedron& p, const WideNumbers& w) {
+/// The volumes of the power cells for the weights as they are, computed with the digits of
+/// WideDouble, and how much they change if each weight changes by 2^-53 of itself, length^3.
+struct WideCells {
+    std::vector<WideDouble> volumes;
+    std::vector<double> rounding;
+};
+
+/// Adds the part of a tetrahedron: pyramids from each corner over triangles between the feet of an
+/// edge and of a facet, and the orthocentre.
+void add_wide_parts(const Tetrahedron& corners, const WideTetrahedron& p, const WideNumbers& w,
+                    WideCells& cells) {
     const WideVector centre = wide_orthocentre(p, w);
-    WideNumbers volumes{};
     for (int i = 0; i < 4; ++i) {
         for (int j = 0; j < 4; ++j) {
             for (int k = 0; k < 4; ++k) {
                 if (i == j || j == k || i == k) continue;
                 const WideVector edge = p[j] - p[i];
-                const long double squared = edge.dot(edge);
+                const WideDouble squared = edge.dot(edge);
                 // Across the edge in the facet i j k, and across the facet towards its apex.
                 const WideVector side = p[k] - p[i];
                 const WideVector across = side - edge.times(side.dot(edge) / squared);
                 WideVector normal = edge.cross(side);
-                const WideVector apex = p[6 - i - j - k] - p[i];
-                if (normal.dot(apex) < 0) normal = normal.times(-1);
+                if (double(normal.dot(p[6 - i - j - k] - p[i])) < 0) normal = normal.times(-1);
+                // The area of the triangle over 2 l, where |normal| = l |across|.
                 const WideVector from = centre - p[i];
-                const long double area = from.dot(across) * from.dot(normal) /
-                                         (2 * std::sqrt(across.dot(across) * normal.dot(normal)));
-                volumes[i] += area * (squared + w[i] - w[j]) / (6 * std::sqrt(squared));
+                const WideDouble conductance =
+                    from.dot(across) * from.dot(normal) / (4 * across.dot(across) * squared);
+                cells.volumes[corners[i].site] += conductance * (squared + w[i] - w[j]) / 3;
+                if (corners[i].site == corners[j].site) continue;
+                for (const int end : {i, j}) {
+                    cells.rounding[corners[end].site] +=
+                        0x1p-54 * double(conductance) *
+                        (std::abs(double(w[i])) + std::abs(double(w[j])));
+                }
             }
         }
     }
-    return volumes;
 }
 
-/// The volumes of the power cells in long double, for the weights as they are, length^3.
-std::vector<long double> wide_volumes(const PeriodicDelaunay& regular) {
+WideCells wide_cells(const PeriodicDelaunay& regular) {
     const Lattice& reduced = regular.sites.reduction().reduced;
-    const auto position = [&](const Corner& corner) {
-        const Vec3 u = regular.sites.coordinates().col(corner.site);
-        const Vec3 o = corner.offset.vector();
-        WideVector sum{0, 0, 0};
-        for (int k = 0; k < 3; ++k) {
-            const Vec3 period = reduced.periods()[k];
-            const long double part = static_cast<long double>(u[k]) + o[k];
-            sum = sum + WideVector{period.x(), period.y(), period.z()}.times(part);
-        }
-        return sum;
-    };
-    std::vector<long double> volumes(static_cast<std::size_t>(regular.sites.n_sites()));
+    const auto n = static_cast<std::size_t>(regular.sites.n_sites());
+    WideCells cells{std::vector<WideDouble>(n), std::vector<double>(n)};
     for (int t = 0; t < regular.tetrahedra.n_tetrahedra(); ++t) {
         const Tetrahedron corners = regular.tetrahedra.tetrahedron(t);
+        const Vec3 origin = image(regular.sites.coordinates(), corners[0]).at;
         WideTetrahedron p{};
         WideNumbers w{};
         for (int c = 0; c < 4; ++c) {
-            p[c] = position(corners[c]);
             w[c] = regular.weights[corners[c].site];
+            const Vec3 u = image(regular.sites.coordinates(), corners[c]).at - origin;
+            for (int k = 0; k < 3; ++k) {
+                const Vec3 period = reduced.periods()[k];
+                p[c] = p[c] + WideVector{period.x(), period.y(), period.z()}.times(u[k]);
+            }
         }
-        const WideNumbers own = wide_contributions(p, w);
-        for (int c = 0; c < 4; ++c) volumes[corners[c].site] += own[c];
+        add_wide_parts(corners, p, w, cells);
     }
-    return volumes;
+    return cells;
 }
 
-/// Expects that the volumes for the weights as they are, without rounding in their measurement, are
-/// off by no more than four times the bound.
+/// Expects that each volume for the weights as they are, without rounding in its measurement, is
+/// the prescribed one to 1e-10 of the mean, or to the rounding of weights.
 void expect_wide_volumes(const VolumeCvtResult& result) {
+    // Volumes of the thinnest lattices are measured to this part of the mean.
+    constexpr double kMeasured = 4e-11;
     const double mean = result.targets.mean();
-    const std::vector<long double> volumes = wide_volumes(result.delaunay);
+    // The volume of an unreduced lattice has a rounding of its own.
+    const double scale = result.delaunay.sites.lattice().volume() / result.targets.sum();
+    const WideCells cells = wide_cells(result.delaunay);
     for (Eigen::Index s = 0; s < result.targets.size(); ++s) {
-        const auto error = static_cast<double>(volumes[s] - result.targets[s]);
-        ASSERT_LE(std::abs(error) / mean, 4 * std::max(1e-10, result.rounding)) << s;
+        const double error = double(cells.volumes[s] - scale * result.targets[s]) / mean;
+        ASSERT_LE(std::abs(error), std::max(1e-10, cells.rounding[s] / mean) + kMeasured) << s;
     }
 }
 
@@ -185,7 +195,9 @@ void expect_volumes(const Sites& sites, const std::string& name, const VolumeCvt
         ASSERT_LE(result.volumes.largest_relative_error, result.volumes.rounding);
         campaign.of_bound.push_back(result.largest_error / result.rounding);
     }
-    if (by_rounding) expect_wide_volumes(result);
+    if (by_rounding || name.find("pairs") != std::string::npos || sites.n_sites() <= 40) {
+        expect_wide_volumes(result);
+    }
     double& largest = by_rounding ? campaign.largest_rounding : campaign.largest_error;
     largest = std::max(largest, result.largest_error);
     campaign.n_rounding += by_rounding ? 1 : 0;
@@ -241,30 +253,40 @@ TEST(VolumeCvt, CellsBetweenNearSitesDoNotKeepOthersFromTheirVolumes) {
     Campaign campaign;
     for (const int k : {8079, 11388, 12455, 12846, 14084}) run_case(1, k, campaign);
     EXPECT_EQ(campaign.n_cases, 5);
-    EXPECT_GT(*std::max_element(campaign.of_bound.begin(), campaign.of_bound.end()), 0.1);
+    // Not far from the bound, so that it is not larger than it need be.
+    EXPECT_GT(*std::max_element(campaign.of_bound.begin(), campaign.of_bound.end()), 0.3);
 }
 
-// Law 1 on all kinds of lattices and sites. PCVT_VOLUME_CASES=20000 in the environment runs as many
-// cases, PCVT_VOLUME_SEED begins elsewhere.
+// In the first case, doubles do not hold the cells between pairs although their measurement seems
+// exact; in the second one, the rounding of a small cell is larger than its tolerance.
+TEST(VolumeCvt, CellsAreExactAlsoWhereTheirMeasurementIsHard) {
+    Campaign campaign;
+    for (const int k : {5792, 4379}) run_case(1, k, campaign);
+    EXPECT_EQ(campaign.n_cases, 2);
+}
+
+// Law 1 on all kinds of lattices and sites. In the environment PCVT_VOLUME_CASES=20000 runs as many
+// cases, PCVT_VOLUME_FIRST=5000 begins at that number, PCVT_VOLUME_SEED draws others.
 TEST(VolumeCvt, SlowReachesVolumesOnRandomInputs) {
     const int n_cases = testing::case_count("PCVT_VOLUME_CASES", 150);
+    const int first = testing::case_count("PCVT_VOLUME_FIRST", 0);
     const int seed = testing::case_count("PCVT_VOLUME_SEED", 1);
     Campaign campaign;
-    for (int k = 0; k < n_cases && !HasFailure(); ++k) run_case(seed, k, campaign);
+    for (int k = first; k < first + n_cases && !HasFailure(); ++k) run_case(seed, k, campaign);
     if (HasFailure()) return;
     std::cout << campaign.n_cases << " cases of " << n_cases << " from seed " << seed << ", "
               << campaign.n_mirrors << " with mirrors, " << campaign.n_polyhedra
               << " with polyhedra, " << campaign.n_rounding
               << " above 1e-10 of the mean by rounding (at most " << campaign.largest_rounding
               << "); largest error of the others " << campaign.largest_error << "\n";
-    // The bound is attained within 100 times.
+    // The bound is nearly attained.
     std::vector<double>& of_bound = campaign.of_bound;
     ASSERT_FALSE(of_bound.empty());
     std::sort(of_bound.begin(), of_bound.end());
     const double median = of_bound[of_bound.size() / 2];
     std::cout << "errors over their bound: " << of_bound.front() << " to " << of_bound.back()
               << ", median " << median << "\n";
-    EXPECT_GT(of_bound.back(), 0.01);
+    EXPECT_GT(of_bound.back(), 0.5);
     EXPECT_GE(campaign.n_cases, n_cases / 2);
     EXPECT_GE(campaign.n_mirrors, n_cases / 50);
 }
