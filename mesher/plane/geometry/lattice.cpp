@@ -20,9 +20,16 @@ constexpr double kParallel = 1e-14;
 /// could make the reduction alternate between them.
 constexpr double kTie = 1 + 1e-12;
 
+/// Whether x y is zero because x or y is.
+bool is_without(double x, double y, double product) { return product == 0 && (x == 0 || y == 0); }
+
 /// a b + c d within 1.5 ulp (W. Kahan's compensated product sum).
 double product_sum(double a, double b, double c, double d) {
+    const double ab = a * b;
     const double cd = c * d;
+    // In rectangles one product is zero; then the sum below is the other product, rounded, and a
+    // sum of zeros is not negative. Many machines compute fma() by a slow function.
+    if (is_without(a, b, ab) || is_without(c, d, cd)) return ab + cd + 0.0;
     const double error = std::fma(c, d, -cd);
     return std::fma(a, b, cd) + error;
 }

@@ -97,22 +97,35 @@ class FaceGluing {
         return {.low = s, .high = r, .offset = -offset, .reversed = true, .halfedge = h};
     }
 
+    /// The lower of the two representatives of each side, which the sides of an edge share.
+    std::vector<int> lower_ends() const {
+        std::vector<int> lower(faces_.corners.size());
+        for (int f = 0; f < faces_.n_faces(); ++f) {
+            checkpoint_each(f);
+            const int last = faces_.begin[f + 1] - 1;
+            int to = orbits_.representative[faces_.corners[faces_.begin[f]]];
+            for (int h = last; h >= faces_.begin[f]; --h) {
+                const int from = orbits_.representative[faces_.corners[h]];
+                lower[h] = std::min(from, to);
+                to = from;
+            }
+        }
+        return lower;
+    }
+
     void match_sides() {
         faces_.opposite.assign(faces_.corners.size(), -1);
         faces_.across.resize(faces_.corners.size());
-        // The two sides of an edge share the lower representative.
-        const auto low = [this](int h) {
-            return std::min(orbits_.representative[faces_.corners[h]],
-                            orbits_.representative[faces_.corners[faces_.next(h)]]);
-        };
+        const std::vector<int> lower = lower_ends();
         std::vector<Side> sides;
-        for_each_bucket(faces_.n_halfedges(), tile_.n_vertices(), low,
-                        [&](std::span<const int> halfedges) {
-                            sides.clear();
-                            for (const int h : halfedges) sides.push_back(side(h));
-                            std::sort(sides.begin(), sides.end());
-                            match(sides);
-                        });
+        for_each_bucket(
+            faces_.n_halfedges(), tile_.n_vertices(), [&](int h) { return lower[h]; },
+            [&](std::span<const int> halfedges) {
+                sides.clear();
+                for (const int h : halfedges) sides.push_back(side(h));
+                std::sort(sides.begin(), sides.end());
+                match(sides);
+            });
         put_holes_on_walls();
         require_partners();
     }

@@ -63,21 +63,29 @@ class BinAxis {
     double n_bins_;
 };
 
-/// Returns for each vertex the smallest vertex with the same representative and offset.
+/// Returns for each vertex the smallest vertex with the same representative and offset. Most
+/// vertices are alone in their orbits, so only the others are sorted.
 std::vector<int> first_copies(const std::vector<int>& representative,
                               const std::vector<Offset>& offset) {
-    std::vector<int> order(representative.size());
-    std::iota(order.begin(), order.end(), 0);
-    bucket_sort(
-        order, static_cast<int>(order.size()), [&](int v) { return representative[v]; },
-        [&](int v, int w) { return std::tie(offset[v], v) < std::tie(offset[w], w); });
-    std::vector<int> first(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        checkpoint_each(k);
-        const int v = order[k];
-        const bool same = k > 0 && representative[v] == representative[order[k - 1]] &&
-                          offset[v] == offset[order[k - 1]];
-        first[v] = same ? first[order[k - 1]] : v;
+    std::vector<int> first(representative.size());
+    std::vector<int> shared;
+    for (int v = 0; v < static_cast<int>(first.size()); ++v) {
+        checkpoint_each(v);
+        first[v] = v;
+        if (representative[v] == v) continue;
+        shared.push_back(v);
+        shared.push_back(representative[v]);
+    }
+    std::sort(shared.begin(), shared.end(), [&](int v, int w) {
+        return std::tie(representative[v], offset[v], v) <
+               std::tie(representative[w], offset[w], w);
+    });
+    for (std::size_t k = 1; k < shared.size(); ++k) {
+        const int v = shared[k];
+        const int before = shared[k - 1];
+        const bool same =
+            representative[v] == representative[before] && offset[v] == offset[before];
+        if (same) first[v] = first[before];
     }
     return first;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
 #include <limits>
 
 #include "mesher/base/error.hpp"
@@ -35,6 +36,23 @@ TEST(Lattice, TranslationIsAccurateWhereTermsCancel) {
     const Vec2 translation = lattice.translation(offset);
     EXPECT_EQ(translation.x(), 0.125);
     EXPECT_NEAR(translation.y(), y, 0x1.8p-52 * std::abs(y));
+}
+
+// In rectangles the products with zeros drop out: every position is a rounded product, no zero is
+// negative, and what is not finite stays so.
+TEST(Lattice, PositionsInRectanglesAreRoundedProducts) {
+    const double width = 1.0 / 3;
+    const double height = 7e-30;
+    const Lattice lattice = Lattice::rectangle(width, height);
+    for (const double u : {0.0, -0.0, 0.1, -0.3, 1e-300, 5e-324, 1e300}) {
+        for (const double v : {0.0, -0.0, 0.7, -1e-310, 3e10}) {
+            const Vec2 p = lattice.to_position({u, v});
+            EXPECT_EQ(p, Vec2(u * width, v * height));
+            EXPECT_FALSE(p.x() == 0 && std::signbit(p.x()) && u == 0) << u << ' ' << v;
+            EXPECT_FALSE(p.y() == 0 && std::signbit(p.y()) && v == 0) << u << ' ' << v;
+        }
+        EXPECT_TRUE(std::isnan(lattice.to_position({u, kInfinity}).x()));
+    }
 }
 
 // Laws 1 to 3 of Reduction.
