@@ -19,10 +19,14 @@ constexpr double kFilledAgain = 0.3090169943749474;
 constexpr int kRelaxations = 3;
 constexpr int kMovesInRound = 2;
 
+/// The sizes of the cells; those of pieces are the sizes of their cells.
 std::vector<double> cell_sizes(const CellComplex& complex, double size) {
+    const std::vector<CellBody> bodies = cell_bodies(complex);
+    std::vector<double> volumes(bodies.size(), 0);
+    for (int c = 0; c < complex.n_cells; ++c) volumes[complex.site_of(c)] += bodies[c].volume;
     std::vector<double> sizes;
-    for (const CellBody& body : cell_bodies(complex)) {
-        const double edge = portable_cbrt(body.volume);
+    for (int c = 0; c < complex.n_cells; ++c) {
+        const double edge = portable_cbrt(volumes[complex.site_of(c)]);
         sizes.push_back(size > 0 ? std::min(size, kLargestSize * edge) : kDefaultPart * edge);
     }
     return sizes;
@@ -56,6 +60,9 @@ class GrainFilling {
         for (std::size_t c = 0; c < cells_.size(); ++c)
             add_angles(cells_[c], sharp.near[c], grains);
         grains.sharp_features = std::move(sharp.features);
+        for (SharpFeature& feature : grains.sharp_features) {
+            feature.cell = complex_.site_of(feature.cell);
+        }
         report(1);
         return grains;
     }
@@ -70,7 +77,7 @@ class GrainFilling {
         workers_.for_each(complex_.n_cells,
                           [&](int c) { filled[c] = fill_cell(hulls_[c], sizes_[c]); });
         for (int c = 0; c < complex_.n_cells; ++c) {
-            if (!filled[c]) throw FoldedCell(c);
+            if (!filled[c]) throw FoldedCell(complex_.site_of(c));
             cells_.push_back(std::move(*filled[c]));
         }
     }
