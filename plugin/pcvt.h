@@ -236,7 +236,8 @@ typedef struct pcvt_options {
     void* progress_data;
     int32_t grain_per_edge; /**< parts of each cell edge; excludes grain_size [0: grain_size] */
     int32_t find_origin;    /**< 1: tiles with PCVT_BOX ignore `origin`; they are cut where the
-                               shortest edge of the cut is longest [0] */
+                               shortest edge of the cut is longest, in three dimensions where
+                               the cut makes the fewest narrow angles [0] */
     const double* areas; /**< n_areas positive numbers, in any unit: cells whose areas are to each
                             other as these, as power cells; excludes a density [NULL] */
     int32_t n_areas;     /**< n_sites, or 0 where `areas` is NULL [0] */

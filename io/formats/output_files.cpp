@@ -138,6 +138,11 @@ void add_files(const std::string& path, const SpaceRequest& run, Meshes meshes,
         throw InvalidInput(path + ": the format holds no tetrahedra; take " +
                            tetrahedra_extensions() + ", or write the cells in a run of their own");
     }
+    if (run.is_box && format.space->shows_tetrahedra(mesh) && mesh != plane::MeshKind::kGrains) {
+        throw InvalidInput(path +
+                           ": --outline box cannot cut Delaunay tetrahedra; add --mesh grains, or "
+                           "leave the outline out");
+    }
     if (run.short_edges > 0 && !format.space->takes_short_edges(mesh)) {
         throw InvalidInput(path + ": such files cannot say that short edges were removed; take " +
                            short_edges_extensions() + " with the cells");

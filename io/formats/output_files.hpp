@@ -46,6 +46,8 @@ struct SpaceRequest {
     bool has_metric = false;
     /// As FileOptions::voxels.
     VoxelCounts voxels = {};
+    /// Whether the tile is a box of pieces of cells.
+    bool is_box = false;
 };
 
 using OutputRequest = std::variant<RunRequest, SpaceRequest>;

@@ -125,7 +125,8 @@ bool holds_same_cells(const std::vector<EncodedFile>& files, const SpaceTile& ti
     const SpaceTile found = prove_space_files(files).tile;
     return found.materials == stated_materials(files, tile) && found.weights == tile.weights &&
            found.mesh.metric == tile.mesh.metric && found.mesh.points == tile.mesh.points &&
-           found.sites == tile.sites && found.mesh.point_orbit == tile.mesh.point_orbit &&
+           found.mesh.piece_cell == tile.mesh.piece_cell && found.sites == tile.sites &&
+           found.mesh.point_orbit == tile.mesh.point_orbit &&
            found.mesh.point_offset == tile.mesh.point_offset;
 }
 

@@ -114,7 +114,8 @@ ElementMesh element_mesh(const space::PolyhedralMesh& polyhedra,
         checkpoint_each(s);
         mesh.elements.nodes.add(cell_points(cells, s));
     }
-    mesh.element_site = counted(cells.n_cells());
+    mesh.element_site =
+        polyhedra.piece_cell.empty() ? counted(cells.n_cells()) : polyhedra.piece_cell;
     return mesh;
 }
 

@@ -9,6 +9,7 @@
 #include "io/forms/material_words.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/cells/set_names.hpp"
+#include "mesher/space/mesh/cell_sites.hpp"
 
 namespace pcvt {
 namespace {
@@ -86,13 +87,24 @@ std::vector<double> group_volumes(const SurfaceMesh& mesh, bool is_single) {
     return volumes;
 }
 
+/// The name of a cell, or of a piece of one: cell_12, or cell_12_1 and cell_12_2.
+std::string cell_name(const std::vector<SiteId>& of_pieces, int number) {
+    if (of_pieces.empty()) return std::string(kCellSet) + std::to_string(number);
+    const SiteId cell = of_pieces[number];
+    const auto [first, last] = std::equal_range(of_pieces.begin(), of_pieces.end(), cell);
+    const auto piece = number - static_cast<int>(first - of_pieces.begin()) + 1;
+    const std::string name = std::string(kCellSet) + std::to_string(cell);
+    return last - first == 1 ? name : name + "_" + std::to_string(piece);
+}
+
 void add_cells(SurfaceMesh& mesh, const SurfaceList& list, SeamForm seam,
                const std::vector<SiteId>& cell) {
     add_groups(mesh, [&](int f) { return cell[f]; });
     CellQuantities cells{.n_faces = {}, .classes = list.cell_class, .materials = &list.materials};
+    const std::vector<SiteId> of_pieces = cells_of_pieces(list.surface.lattice, list.surface.sites);
     for (std::size_t g = 0; g < mesh.groups.size(); ++g) {
         FaceGroup& group = mesh.groups[g];
-        group.name = std::string(kCellSet) + std::to_string(cell[group.first_face]);
+        group.name = cell_name(of_pieces, cell[group.first_face]);
         cells.n_faces.push_back(mesh.group_end(g) - group.first_face);
     }
     if (list.colouring == Colouring::kSize)

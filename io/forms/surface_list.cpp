@@ -10,6 +10,7 @@
 #include "io/forms/tile_file.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/choices.hpp"
+#include "mesher/space/mesh/cell_sites.hpp"
 #include "mesher/space/mesh/polyhedral_assembly.hpp"
 
 namespace pcvt {
@@ -200,7 +201,9 @@ space::PolyhedralMesh assembled_cells(SurfaceList list, const std::string& path)
         throw BadFile(path + ": has " + std::to_string(surface.sites.cols()) + " sites of " +
                       std::to_string(cells.n_cells()) + " cells; write the file again with pcvt");
     }
-    return assembled_mesh(surface.lattice, cells);
+    space::PolyhedralMesh mesh = assembled_mesh(surface.lattice, cells);
+    mesh.piece_cell = cells_of_pieces(mesh.lattice, surface.sites);
+    return mesh;
 }
 
 bool states_surfaces(std::string_view bytes) {

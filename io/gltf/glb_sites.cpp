@@ -94,10 +94,12 @@ void compare_voronoi_sites(const GlbSurfaces& glb, double largest, double off) {
 }
 
 /// Each face has another one at its place, turned over, and both lie in the plane that the sites
-/// and the weights of their cells give.
+/// and the weights of their cells give, or in which a box cuts one cell.
 void compare_power_sites(const GlbSurfaces& glb, double largest, double off) {
     const space::TileSurface& surface = glb.list.surface;
-    const Eigen::VectorXd& weights = glb.list.weights;
+    const Eigen::VectorXd weights = glb.list.weights.size() > 0
+                                        ? glb.list.weights
+                                        : Eigen::VectorXd::Zero(surface.sites.cols());
     space::Points centres(3, surface.n_faces());
     for (int f = 0; f < surface.n_faces(); ++f) {
         centres.col(f) = FaceSize(surface.points, surface.faces[f]).centre;
@@ -112,6 +114,8 @@ void compare_power_sites(const GlbSurfaces& glb, double largest, double off) {
             const space::Vec3 across = surface.sites.col(surface.cell[g]) + translation - at.site;
             const double tolerance =
                 4 * (kSingleEpsilon * largest + at.tilt * (arm.norm() + across.norm()));
+            // A box cuts a cell between two pieces with one site.
+            if (across.norm() <= off) return true;
             const double sideways = (across - across.dot(at.normal) * at.normal).norm();
             const double balance = 2 * arm.dot(across) - across.squaredNorm() +
                                    weights[surface.cell[g]] - weights[surface.cell[f]];
@@ -135,7 +139,8 @@ void compare_sites(const GlbSurfaces& glb, double largest) {
     // Proved corners lie at most this far off the planes between sites.
     const double off =
         space::kBisectorTolerance * portable_cbrt(surface.lattice.volume() / double(n_cells));
-    if (glb.list.weights.size() == 0) {
+    const bool are_whole = cells_of_pieces(surface.lattice, surface.sites).empty();
+    if (glb.list.weights.size() == 0 && are_whole) {
         compare_voronoi_sites(glb, largest, off);
     } else {
         compare_power_sites(glb, largest, off);

@@ -11,6 +11,7 @@
 #include "io/openfoam/foam_reader.hpp"
 #include "io/openfoam/foam_text.hpp"
 #include "mesher/cells/set_names.hpp"
+#include "mesher/space/mesh/cell_sites.hpp"
 #include "mesher/space/mesh/polyhedral_assembly.hpp"
 #include "mesher/space/mesh/short_edges.hpp"
 
@@ -155,6 +156,7 @@ SpaceTile decode_foam_polyhedra(const std::vector<EncodedFile>& files, double to
                                                  static_cast<Eigen::Index>(notes.sites.size() / 3));
     tile.weights =
         Eigen::Map<const Eigen::VectorXd>(notes.weights.data(), std::ssize(notes.weights));
+    mesh.piece_cell = cells_of_pieces(lattice, tile.sites);
     if (tile.weights.size() != 0 && tile.weights.size() != tile.sites.cols()) {
         throw BadFile(boundary.path + ": there are " + std::to_string(tile.weights.size()) +
                       " weights of " + std::to_string(tile.sites.cols()) +

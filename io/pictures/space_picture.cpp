@@ -95,7 +95,7 @@ SpacePicture picture_of(const SpaceTile& tile, const TileColours& colours) {
         points.insert(points.end(), face.corners.begin(), face.corners.end());
     }
     const SvgFrame frame(points);
-    const double spacing = portable_cbrt(tile.mesh.lattice.volume() / tile.mesh.n_cells);
+    const double spacing = portable_cbrt(tile.mesh.lattice.volume() / tile.mesh.n_sites());
     return {std::move(faces), frame, std::clamp(0.014 * spacing * frame.scale(), 0.1, 1.4)};
 }
 
@@ -156,7 +156,7 @@ std::vector<EncodedFile> encode_space_svg(const SpaceTile& tile, Colouring colou
     const SpacePicture picture = picture_of(tile, colours);
     const PlacedLegend legend = place_legend(legend_of(colours, colouring), picture.frame);
     const std::string title =
-        std::to_string(tile.mesh.n_cells) + " periodic cells in space" + colours.explanation;
+        std::to_string(tile.mesh.n_sites()) + " periodic cells in space" + colours.explanation;
     std::string svg = svg_head(title, legend.width, legend.height);
     svg += "<g stroke=\"#3a3f4a\" stroke-linejoin=\"round\"" +
            svg_attribute("stroke-width", picture.edge_width) + ">\n";

@@ -13,6 +13,7 @@
 #include "io/solvers/vtu_writer.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "mesher/space/mesh/cell_faces.hpp"
+#include "mesher/space/mesh/cell_sites.hpp"
 #include "mesher/space/mesh/short_edges.hpp"
 
 namespace pcvt {
@@ -154,11 +155,12 @@ class VtuPolyhedra {
         tile.mesh.short_edges = read_short_edges(arrays_);
         tile.mesh.metric = read_metric(arrays_);
         StatedImages(arrays_).compare(tile.mesh.point_orbit, tile.mesh.point_offset);
-        compare_cells(tile.mesh, cells);
         if (arrays_.find("CellData/Site") != nullptr) {
             const VtuArray& sites = arrays_.get("CellData/Site", n_, 3, false);
             tile.sites = Eigen::Map<const space::Points>(sites.values.data(), 3, n_);
         }
+        tile.mesh.piece_cell = cells_of_pieces(tile.mesh.lattice, tile.sites);
+        compare_cells(tile.mesh, cells);
         if (arrays_.find("CellData/Weight") != nullptr) {
             const VtuArray& weights = arrays_.get("CellData/Weight", n_, 1, false);
             tile.weights = Eigen::Map<const Eigen::VectorXd>(weights.values.data(), n_);
@@ -249,7 +251,7 @@ class VtuPolyhedra {
         for (int s = 0; s < n_; ++s) {
             const auto k = static_cast<std::size_t>(s);
             const std::string cell = "cell " + std::to_string(s) + " ";
-            if (ids != nullptr && ids->integer(k) != s) {
+            if (ids != nullptr && ids->integer(k) != mesh.site_of(s)) {
                 fail(ids->lines[k], cell + "is not that of its site; write the file again");
             }
             const int n_faces = cells.cell_begin[k + 1] - cells.cell_begin[k];

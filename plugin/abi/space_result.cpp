@@ -119,10 +119,12 @@ pcvt_statistics SpaceResult::statistics() const {
 bool SpaceResult::write(const WriteRequest& request, const JobCallback& callback) const {
     // A wrong output is not a fault of the cells.
     plan_files(job_of(request));
-    std::optional<ProvedSpaceTile> repeated;
+    std::optional<ProvedSpaceTile> other;
     const auto make_tile = [&](JobMonitor& monitor) -> const ProvedSpaceTile& {
-        if (job().tile.repeat.n_copies() == 1) return tile(monitor);
-        return repeated.emplace(SpaceWorld::build_tiles(job(), {}, computed(), monitor));
+        const Job wanted = job_of(request);
+        const bool is_box = wanted.tile.outline == plane::Outline::kBox;
+        if (wanted.tile.repeat.n_copies() == 1 && !is_box) return tile(monitor);
+        return other.emplace(SpaceWorld::build_tiles(wanted, {}, computed(), monitor));
     };
     return from_geometry([&] { return ComputedJob::write(request, make_tile, callback); });
 }

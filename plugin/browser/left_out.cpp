@@ -2,6 +2,9 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/plane/cvt/centroid_cells.hpp"
+#include "mesher/space/box/box_cells.hpp"
+#include "mesher/space/box/box_origin.hpp"
+#include "mesher/space/box/box_sides.hpp"
 #include "mesher/space/cvt/centroid_cells.hpp"
 #include "mesher/space/grains/grains.hpp"
 
@@ -31,5 +34,18 @@ space::Grains space::mesh_grains(const Sites& /*sites*/, const CellComplex& /*co
                                  const Vec3& /*origin*/) {
     throw InvalidInput("this module has no tetrahedra inside of cells; take the command");
 }
+
+space::CellComplex space::cells_in_box(const Sites& /*sites*/, const CellComplex& /*complex*/,
+                                       const Vec3& /*origin*/) {
+    throw InvalidInput("this module cuts no cells of space at a box; take the command");
+}
+
+space::Vec3 space::best_box_origin(const Sites& /*sites*/, const CellComplex& /*complex*/) {
+    throw InvalidInput("this module cuts no cells of space at a box; take the command");
+}
+
+// Only tiles of cells_in_box() have sides.
+void space::put_on_sides(const Vec3& /*origin*/, PolyhedralMesh& /*mesh*/) {}
+void space::put_on_sides(const Vec3& /*origin*/, TetrahedralMesh& /*mesh*/) {}
 
 }  // namespace pcvt

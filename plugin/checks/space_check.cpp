@@ -6,6 +6,7 @@
 #include "io/gltf/space_gltf_proof.hpp"
 #include "mesher/base/law_violation.hpp"
 #include "mesher/plane/proof/validate.hpp"
+#include "mesher/space/proof/box_proof.hpp"
 #include "plugin/checks/tolerance_check.hpp"
 #include "plugin/checks/volume_check.hpp"
 
@@ -36,6 +37,13 @@ void refuse_tolerance(const std::string& path, double tolerance, const char* fou
                        found + "; leave it out");
 }
 
+/// What a line says of a tile that is a box.
+std::string box_text(const std::optional<space::Vec3>& corner) {
+    if (!corner) return "";
+    return ", a box at (" + figure(corner->x()) + ", " + figure(corner->y()) + ", " +
+           figure(corner->z()) + ")";
+}
+
 /// Proves files by `prove`, which takes a tolerance.
 /// @throws NotATile  also with the tolerance that would suffice.
 template <class Prove>
@@ -61,7 +69,8 @@ std::string prove_tetrahedral_tile(const EncodedFile& file, double tolerance) {
            std::to_string(2 * proof.pairs.size()) + " boundary triangles in " +
            std::to_string(proof.pairs.size()) + " pairs, periodic within " +
            in_words(proof.mismatch) + " (tolerance " + figure(proof.tolerance) +
-           "), Euler characteristic 0 after gluing, volume " + figure(proof.volume);
+           "), Euler characteristic 0 after gluing, volume " + figure(proof.volume) +
+           box_text(box_corner(mesh, proof));
 }
 
 std::string prove_boundary(const std::vector<EncodedFile>& files) {
@@ -91,20 +100,24 @@ std::string prove_cells(const std::string& path, const std::vector<EncodedFile>&
     const SpaceFileProof found = proved_within(
         question.tolerance, [&](double within) { return prove_space_files(files, within); });
     const space::PolyhedralProof& proof = found.proof;
-    std::string line = counted(proof.n_cells, "cell") + ", " + std::to_string(proof.n_faces) +
+    const space::PolyhedralMesh& mesh = found.tile.mesh;
+    const bool is_cut = !mesh.piece_cell.empty();
+    std::string line = (is_cut ? counted(proof.n_cells, "piece") + " of " : "") +
+                       counted(mesh.n_sites(), "cell") + ", " + std::to_string(proof.n_faces) +
                        " faces, " + std::to_string(2 * proof.n_boundary_pairs) +
                        " boundary faces in " + std::to_string(proof.n_boundary_pairs) +
                        " pairs by " + counted(proof.n_translations, "translation") +
                        ", periodic within " + in_words(proof.mismatch) + " (tolerance " +
                        figure(proof.tolerance) + "), boundary " +
                        (proof.boundary_is_manifold ? "a manifold" : "touches itself") +
-                       ", Euler characteristic 0 after gluing, volume " + figure(proof.volume);
+                       ", Euler characteristic 0 after gluing, volume " + figure(proof.volume) +
+                       box_text(box_corner(mesh, proof.tolerance));
     if (found.tile.mesh.short_edges > 0) {
         line += ", edges under " + figure(found.tile.mesh.short_edges) + " h removed";
     }
     const bool has_weights = found.tile.weights.size() > 0;
     line += found.sites ? (has_weights ? ", power cells of " : ", Voronoi cells of ") +
-                              counted(proof.n_cells, "site") + " within " +
+                              counted(mesh.n_sites(), "site") + " within " +
                               figure(found.sites->from_bisector) + " h"
                         : ", no sites stored";
     if (question.cvt_tolerance) line += cvt_text(path, found, *question.cvt_tolerance);

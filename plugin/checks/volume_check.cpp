@@ -17,7 +17,7 @@ namespace {
 constexpr double kVolumeTolerances = 10;
 
 std::string prove_volumes(const space::StatedPolyhedra& cells, const AreaFile& wanted) {
-    const int n = cells.mesh.n_cells;
+    const int n = cells.mesh.n_sites();
     try {
         require_areas(wanted, n, "volume");
     } catch (const BadFile& error) {

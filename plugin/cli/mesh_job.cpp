@@ -183,7 +183,8 @@ void read_run(const CLI::App& app, const MeshOptions& options, Job& job) {
             job.in_plane().origin = point("--origin", options.origin);
         }
         if (job.tile.finds_origin && job.tile.outline != plane::Outline::kBox) {
-            throw InvalidInput("--origin auto is for --outline box; add it, or give X,Y");
+            throw InvalidInput(std::string("--origin auto is for --outline box; add it, or give ") +
+                               (job.is_in_space() ? "X,Y,Z" : "X,Y"));
         }
     }
     if (app.count("--repeat") > 0) {

@@ -94,7 +94,8 @@ void add_site_options(CLI::App& app, MeshOptions& options) {
             "1,0,0.5,0.866 for p3 to p6m");
     add(app, "--origin", options.origin, "X,Y|auto",
         "corner of the domain, in space X,Y,Z; auto: the box outline is cut\n"
-        "where the shortest edge of the cut is longest, in the plane [0,0]");
+        "where the shortest edge of the cut is longest, in space where the cut\n"
+        "makes the fewest narrow angles [0,0]");
     add_cell_options(app, options.cells, options.job);
 }
 

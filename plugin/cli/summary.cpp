@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "io/bytes/text.hpp"
 #include "plugin/cli/site_summary.hpp"
 #include "plugin/cli/terminal/console.hpp"
 #include "plugin/job/run_job.hpp"
@@ -111,9 +112,16 @@ std::string space_grain_line(const SpaceGrainFigures& grains) {
     return summary_line("grains", text);
 }
 
+/// X,Y,Z with all digits.
+std::string as_option(const space::Vec3& p) {
+    std::string text;
+    for (const double x : p) append_number(text += text.empty() ? "" : ",", x);
+    return text;
+}
+
 /// The lines of the cells of a tile in space.
 std::string polyhedra_lines(const Job& job, const RunSummary& summary) {
-    const auto& [n_removed_edges, proof] = *summary.polyhedra;
+    const auto& [n_removed_edges, proof, box_origin] = *summary.polyhedra;
     double sum = 0;
     std::string counts;
     for (const auto& [faces, count] : summary.valences) {
@@ -127,6 +135,11 @@ std::string polyhedra_lines(const Job& job, const RunSummary& summary) {
                                           figure(job.tile.short_edges) + " h removed");
     }
     if (summary.space_grains) text += space_grain_line(*summary.space_grains);
+    if (box_origin) {
+        text += summary_line("box", counted(proof.n_cells, "piece") + " of cells, " +
+                                        (job.tile.finds_origin ? "chosen " : "") + "--origin " +
+                                        as_option(*box_origin));
+    }
     return text +
            summary_line("seam",
                         std::to_string(2 * proof.n_boundary_pairs) + " boundary faces in " +

@@ -52,7 +52,7 @@ constexpr std::array kFeatures{
                .fields = "symmetry",
                .is_chosen = [](const Job& job) { return job.symmetry.has_value(); }},
     FeatureRow{.feature = F::kOrigin, .option = "--origin", .fields = "origin", .in_space = true},
-    FeatureRow{.feature = F::kFoundOrigin, .fields = "find_origin"},
+    FeatureRow{.feature = F::kFoundOrigin, .fields = "find_origin", .in_space = true},
     FeatureRow{
         .feature = F::kSpaceOrigin, .fields = "origin_z", .in_plane = false, .in_space = true},
     FeatureRow{.feature = F::kOriginOffWalls,
@@ -171,6 +171,7 @@ constexpr std::array kFeatures{
         .feature = F::kOutline,
         .option = "--outline",
         .fields = "outline",
+        .in_space = true,
         .is_chosen = [](const Job& job) { return job.tile.outline == plane::Outline::kBox; }},
     FeatureRow{.feature = F::kGrainSize,
                .option = "--size",

@@ -15,9 +15,13 @@ namespace {
 /// The content that a job has for its files.
 OutputRequest output_request(const Job& job) {
     if (job.is_in_space()) {
-        return SpaceRequest{job.in_space().lattice, job.tile.short_edges,
-                            job.n_wanted(),         job.has_weights(),
-                            job.aspect.has_value(), job.file_options.voxels};
+        return SpaceRequest{job.in_space().lattice,
+                            job.tile.short_edges,
+                            job.n_wanted(),
+                            job.has_weights(),
+                            job.aspect.has_value(),
+                            job.file_options.voxels,
+                            job.tile.outline == plane::Outline::kBox};
     }
     return RunRequest{.content = format_request(job),
                       .has_metric = job.aspect.has_value(),

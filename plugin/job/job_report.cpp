@@ -50,13 +50,18 @@ void append_cells(JsonWriter& json, const RunSummary& summary) {
     if (!summary.polyhedra) json.member("hexagons", summary.n_with_sides(6));
     append_counts(json, "valences", summary.valences);
     if (!summary.polyhedra) return;
-    const auto& [n_removed_edges, proof] = *summary.polyhedra;
+    const auto& [n_removed_edges, proof, box_origin] = *summary.polyhedra;
     append_counts(json, "faces", summary.valences);
     json.member("removed_edges", n_removed_edges);
     json.member("volume", proof.volume);
     json.member("boundary_pairs", proof.n_boundary_pairs);
     json.member("translations", proof.n_translations);
     json.member("boundary_is_manifold", proof.boundary_is_manifold);
+    if (!box_origin) return;
+    json.object("box", [&, &proof = proof, &box_origin = box_origin] {
+        json.member("origin", std::vector<double>(box_origin->begin(), box_origin->end()));
+        json.member("pieces", proof.n_cells);
+    });
 }
 
 /// The key `duplicates` of runs that leave out sites which coincide with earlier ones.

@@ -51,6 +51,8 @@ struct StartFigures {
 struct PolyhedraFigures {
     int n_removed_edges = 0;
     space::PolyhedralProof proof = {};
+    /// The corner of a box outline, length units; its cells are pieces.
+    std::optional<space::Vec3> box_origin = {};
 };
 
 /// The figures of tetrahedra inside of cells.

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesher/space/box/box_sides.hpp"
 #include "mesher/space/grains/grains.hpp"
 #include "mesher/space/mesh/short_edges.hpp"
+#include "plugin/job/space_box.hpp"
 
 namespace pcvt {
 namespace {
@@ -38,13 +40,16 @@ SpaceGrains build_space_grains(const Job& job, const space::Tessellation& cells,
     const double shortest = cells.delaunay.weights.size() > 0
                                 ? job.tile.short_edges
                                 : std::max(job.tile.short_edges, kShortGrainEdgeInSpace);
-    const space::CellComplex complex =
-        without_short_edges(cells.complex(), shortest, space::ShrinkRule::kWideCorners);
+    const space::CellComplex complex = outlined_cells(
+        job, cells,
+        without_short_edges(cells.complex(), shortest, space::ShrinkRule::kWideCorners));
+    const space::Vec3 origin = tile_origin(job, cells);
     Workers workers(job.run.n_threads);
     space::Grains grains = mesh_grains(
         cells.sites(), complex,
         {.size = job.tile.grain_size, .progress = [&](double part) { monitor.advance(part); }},
-        workers, job.in_space().origin);
+        workers, origin);
+    if (!complex.piece_cell.empty()) put_on_sides(origin, grains.mesh.tetrahedra);
     const SpaceGrainFigures figures = figures_of(grains);
     return {.tetrahedra = std::move(grains.mesh.tetrahedra), .figures = figures};
 }

@@ -56,6 +56,17 @@ double largest_bytes(const Job& job, const std::vector<JobFile>& files) {
     return a_site + (grains > 0 ? grains : held);
 }
 
+/// The number of cells, or of their pieces in a box, to expect: one side of a cube crosses about
+/// 1.5 n^(2/3) cells.
+double n_pieces(const Job& job) {
+    const double n = job.n_wanted() * job.tile.repeat.n_copies();
+    if (job.tile.outline != plane::Outline::kBox) return n;
+    const Eigen::Vector3d heights = job.in_space().lattice.heights();
+    const double area_over_square = job.in_space().lattice.volume() * heights.cwiseInverse().sum() /
+                                    (3 * std::pow(job.in_space().lattice.volume(), 2.0 / 3));
+    return n + 4.5 * area_over_square * std::pow(n, 2.0 / 3);
+}
+
 double voxels_bytes(const Job& job, const std::vector<JobFile>& files) {
     double bytes = 0;
     for (const JobFile& file : files) {
@@ -73,14 +84,14 @@ double memory_in_space(const Job& job, const std::vector<JobFile>& files) {
     const double n = job.n_wanted() * job.tile.repeat.n_copies();
     // The bytes a site are those of sites that are spread evenly.
     const double n_even =
-        std::max(n, job.n_tetrahedra * job.tile.repeat.n_copies() / space::kTetrahedraPerSite);
+        n_pieces(job) * std::max(1.0, job.n_tetrahedra * job.tile.repeat.n_copies() /
+                                          space::kTetrahedraPerSite / n);
     return kCommandBytes + kThreadBytes * job.run.n_threads + n_even * largest_bytes(job, files) +
            voxels_bytes(job, files);
 }
 
 double space_memory_to_write(const Job& job, const std::vector<JobFile>& files) {
-    return job.n_wanted() * job.tile.repeat.n_copies() * (largest_bytes(job, files) - kComputed) +
-           voxels_bytes(job, files);
+    return n_pieces(job) * (largest_bytes(job, files) - kComputed) + voxels_bytes(job, files);
 }
 
 std::string space_run_takes(const Job& job) {

@@ -11,7 +11,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/cells/target_areas.hpp"
 #include "mesher/plane/proof/validate.hpp"
-#include "mesher/space/mesh/cell_faces.hpp"
+#include "mesher/space/box/box_origin.hpp"
 #include "mesher/space/mesh/cell_sites.hpp"
 #include "mesher/space/mesh/short_edges.hpp"
 #include "mesher/space/proof/tetrahedral_proof.hpp"
@@ -21,6 +21,7 @@
 #include "plugin/job/job_start.hpp"
 #include "plugin/job/job_tessellation.hpp"
 #include "plugin/job/job_tiles.hpp"
+#include "plugin/job/space_box.hpp"
 #include "plugin/job/space_grains.hpp"
 #include "plugin/job/space_start.hpp"
 
@@ -203,8 +204,9 @@ struct SpaceContent {
         const VoxelCounts counts = requested_voxels(
             whole, delaunay.sites.n_sites() * job.tile.repeat.n_copies(), job.file_options.voxels);
         const space::Metric metric = computation.cells.metric();
+        const space::Vec3 origin = tile_origin(job, computation.cells);
         const space::VoxelImage image =
-            voxel_image(delaunay, delaunay.weights, voxel_grid(whole, domain.origin, counts),
+            voxel_image(delaunay, delaunay.weights, voxel_grid(whole, origin, counts),
                         job.run.n_threads, metric);
         const space::VoxelCells cells{.lattice = domain.lattice,
                                       .sites = points,
@@ -221,10 +223,6 @@ struct SpaceContent {
                 .materials = computation.materials};
     }
 };
-
-}  // namespace
-
-namespace {
 
 /// Maps the cells and the pattern of a run in the round space of a metric back.
 void elongate(const space::Metric& metric, const space::Lattice& lattice,
@@ -264,6 +262,7 @@ Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor,
     watch.stop(&JobSeconds::optimize);
     if (cells.run.stop == Stop::kCancelled) throw Cancelled{};
     if (mapped) elongate(metric, job.in_space().lattice, cells, figures);
+    if (job.tile.finds_origin) cells.box_origin = best_box_origin(cells.sites(), cells.complex());
     MaterialsOfCells of_cells;
     if (!job.materials.empty()) {
         of_cells = materials_of_cells(job.materials, cells.table(), job.seed);
@@ -277,6 +276,22 @@ Computation<SpaceWorld> SpaceWorld::compute(const Job& job, JobMonitor& monitor,
     return computation;
 }
 
+namespace {
+
+/// The numbers of cells by their number of faces.
+std::map<int, int> face_counts(const space::CellComplex& complex) {
+    std::vector<int> n_faces(static_cast<std::size_t>(complex.n_cells), 0);
+    for (const space::CellFace& face : complex.faces) {
+        ++n_faces[face.cell];
+        ++n_faces[face.neighbour];
+    }
+    std::map<int, int> counts;
+    for (const int n : n_faces) ++counts[n];
+    return counts;
+}
+
+}  // namespace
+
 SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobFile>& /*files*/,
                                           const Computation<SpaceWorld>& computation,
                                           JobMonitor& monitor) {
@@ -288,27 +303,35 @@ SpaceWorld::Tiles SpaceWorld::build_tiles(const Job& job, const std::vector<JobF
     space::CellComplex complex = written.complex();
     const std::size_t n_vertices = complex.vertices.size();
     complex = without_short_edges(std::move(complex), job.tile.short_edges);
-    const bool are_plain = delaunay.weights.size() == 0 && !computation.cells.elongation;
+    const PolyhedraFigures figures{.n_removed_edges =
+                                       static_cast<int>(n_vertices - complex.vertices.size())};
+    std::map<int, int> counts = face_counts(complex);
+    complex = outlined_cells(job, written, std::move(complex));
+    const space::Vec3 origin = tile_origin(job, written);
     std::vector<space::Offset> images;
-    ProvedSpaceTile built{
-        .tile = {.mesh = polyhedral_mesh(sites, complex, job.in_space().origin, &images)}};
-    built.figures.n_removed_edges = static_cast<int>(n_vertices - complex.vertices.size());
+    ProvedSpaceTile built{.tile = {.mesh = polyhedral_mesh(sites, complex, origin, &images)},
+                          .figures = figures,
+                          .face_counts = std::move(counts)};
     SpaceTile& tile = built.tile;
     tile.mesh.metric = computation.cells.metric();
     tile.weights = delaunay.weights;
-    tile.sites = are_plain ? sites_in_cells(sites, tile.mesh) : sites_of_cells(complex, images);
     tile.materials = space::repeated_materials(computation.materials, job.tile.repeat);
+    const bool is_box = !complex.piece_cell.empty();
+    if (is_box) {
+        built.figures.box_origin = origin;
+        make_box(origin, tile);
+    }
+    const bool are_plain = delaunay.weights.size() == 0 && !computation.cells.elongation;
+    tile.sites =
+        are_plain && !is_box ? sites_in_cells(sites, tile.mesh) : sites_of_cells(complex, images);
     monitor.begin(Phase::kProving, "proving the cells");
     try {
         built.figures.proof = prove_polyhedra(tile.mesh);
         prove_cell_sites(tile.mesh, tile.sites, tile.weights);
+        if (is_box) require_box(tile.mesh, built.figures.proof.tolerance);
     } catch (const NotATile& error) {
         if (job.centroids) throw InvalidInput(unheld_grains(error.what()));
         throw InternalError(std::string("a tile breaks its laws: ") + error.what());
-    }
-    const space::CellFaces cells(tile.mesh);
-    for (int s = 0; s < cells.n_cells(); ++s) {
-        ++built.face_counts[static_cast<int>(cells[s].size())];
     }
     // The cells of one period.
     for (auto& [n_faces, count] : built.face_counts) {
@@ -337,10 +360,10 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
     summary.polyhedra = built.figures;
     summary.constants = stated_constants(files, job.file_options, computation.materials);
     require_closed_boundary(job, files, built.figures.proof);
-    const auto content = std::make_shared<const SpaceContent>(
-        SpaceContent{built.tile, computation,
-                     wrapped_positions(computation.cells.sites(), job.in_space().origin),
-                     std::move(tetrahedra), job});
+    const auto content = std::make_shared<const SpaceContent>(SpaceContent{
+        built.tile, computation,
+        wrapped_positions(computation.cells.sites(), tile_origin(job, computation.cells)),
+        std::move(tetrahedra), job});
     return {.encode = [content](const JobFile& file) { return content->encode(file); },
             .prove =
                 [content](const JobFile& file, const std::vector<EncodedFile>& encoded) {

@@ -264,6 +264,14 @@ def check_grain_tetrahedra(folder, text):
     require(len(accepted) == 2, "check does not accept the tetrahedra")
 
 
+def check_space_box(folder, text):
+    boxes = re.findall(r"^(\S+): a periodic tile .* by 3 translations.* a box at \(0, 0, 0\)", text, re.M)
+    require(boxes == ["box.vtu", "box.foam"], "check does not accept the boxes")
+    origin = json.loads((folder / "rve.json").read_text())["box"]["origin"]
+    require(all(0 < x < 1 for x in origin), "no origin is chosen")
+    require(re.search(r"^rve\.msh: .* in 50 cells .* a box at ", text, re.M), "check does not accept the grains")
+
+
 def check_texture(folder, text):
     report = json.loads((folder / "copper.json").read_text())
     require(report["orientations"]["listed"] == 2, "the orientations are not drawn from the list")
@@ -456,6 +464,7 @@ ROWS = {
     ("Space", "Polyhedra for OpenFOAM and VTK"): Row(check_space, programs=("icoFoam",)),
     ("Space", "Surfaces and pictures"): Row(check_surfaces),
     ("Space", "Tetrahedra inside of cells"): Row(check_grain_tetrahedra),
+    ("Space", "A box with flat sides"): Row(check_space_box),
     ("Space", "Space in Python"): Row(check_faces),
     ("Materials in space", ""): Row(),
     ("Materials in space", "Phases, orientations and a table of the cells"): Row(check_space_grains),

@@ -363,6 +363,9 @@ def space_options(job):
         job.add("--repeat", job.pick(("2x1x1", "1x2x2"), ("2x1", "0x1x1", "9999x9999x9999")))
     if job.often(0.2):
         job.add("--origin", job.pick(("0.3,-2,1", "1e3,0,-7"), ("0,0", "auto", "1e12,0,0")))
+    elif job.often(0.1):
+        job.add("--outline", "box", *draw.choice(((), ("--origin", "auto"))))
+        job.leave_out("msh")
     if job.often(0.3):
         job.add("--phases", job.pick(("a:0.5,b:0.5", "a:0.2,b:0.3,c:0.5"), ("a:1.5", "a")), "--cells", "cells.csv")
         if job.often(0.5):

@@ -47,9 +47,11 @@ std::vector<double> widths(const CellComplex& complex) {
 CellSizes cell_sizes(const CellComplex& complex, double size) {
     const std::vector<double> width = widths(complex);
     const std::vector<CellBody> bodies = cell_bodies(complex);
+    std::vector<double> volumes(bodies.size(), 0);
+    for (int c = 0; c < complex.n_cells; ++c) volumes[complex.site_of(c)] += bodies[c].volume;
     CellSizes all;
     for (int c = 0; c < complex.n_cells; ++c) {
-        const double edge = portable_cbrt(bodies[c].volume);
+        const double edge = portable_cbrt(volumes[complex.site_of(c)]);
         const double wanted = size > 0 ? std::min(size, kLargestSize * edge) : kDefaultPart * edge;
         const double thin = kSizeInWidth * width[c];
         const bool is_flat = thin < kLeastSizeInWidth * wanted;

@@ -28,6 +28,7 @@ struct CellSizes {
 };
 
 /// Returns sizes: `size`, or a third of the cube root of the volume of each cell if that is 0.
+/// The volume of a piece counts as that of its whole cell.
 ///
 /// Law, tested by number:
 ///   (1) No size is above kLargestSize of the cube root of the volume of its cell; and except in

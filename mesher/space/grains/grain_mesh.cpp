@@ -114,14 +114,15 @@ class GrainLayout {
             const FourCorners& corners = cell.corners(t);
             mesh_.tetrahedra.tetrahedra.push_back(
                 {points[corners[0]], points[corners[1]], points[corners[2]], points[corners[3]]});
-            mesh_.tetrahedra.cell.push_back(c);
+            mesh_.tetrahedra.cell.push_back(complex_.site_of(c));
         }
     }
 
     void add_triangles(int f) {
         const CellFace& face = complex_.faces[f];
         for (const SurfaceTriangle& corners : surface_.triangles[f]) {
-            GrainTriangle triangle{.cell = face.cell, .neighbour = face.neighbour};
+            GrainTriangle triangle{.cell = complex_.site_of(face.cell),
+                                   .neighbour = complex_.site_of(face.neighbour)};
             for (std::size_t k = 0; k < 3; ++k) {
                 const NodeImage here = placed(corners[k], face.cell);
                 const NodeImage there =

@@ -53,6 +53,9 @@ class GrainFilling {
         for (std::size_t c = 0; c < cells_.size(); ++c)
             add_angles(cells_[c], sharp.near[c], grains);
         grains.sharp_features = std::move(sharp.features);
+        for (SharpFeature& feature : grains.sharp_features) {
+            feature.cell = complex_.site_of(feature.cell);
+        }
         report(1);
         return grains;
     }
@@ -67,7 +70,7 @@ class GrainFilling {
         workers_.for_each(complex_.n_cells,
                           [&](int c) { filled[c] = fill_cell(hulls_[c], sizes_[c]); });
         for (int c = 0; c < complex_.n_cells; ++c) {
-            if (!filled[c]) throw FoldedCell(c);
+            if (!filled[c]) throw FoldedCell(complex_.site_of(c));
             cells_.push_back(std::move(*filled[c]));
         }
     }

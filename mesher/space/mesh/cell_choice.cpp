@@ -70,6 +70,7 @@ Vec3 domain_corner(const Lattice& lattice, const Reduction& reduction, const Vec
 
 std::vector<Offset> chosen_images(const CellComplex& complex, const std::vector<CellBody>& bodies,
                                   const Vec3& corner) {
+    if (!complex.piece_cell.empty()) return std::vector<Offset>(bodies.size());
     std::vector<Offset> images;
     images.reserve(bodies.size());
     for (const CellBody& body : bodies) {

@@ -13,7 +13,8 @@ namespace pcvt::space {
 Vec3 domain_corner(const Lattice& lattice, const Reduction& reduction, const Vec3& origin);
 
 /// Chooses one image of each cell: the one whose centroid lies in the half-open domain, and then
-/// moves cells by translations until the union is connected across faces.
+/// moves cells by translations until the union is connected across faces. Pieces of cells lie in
+/// their box.
 ///
 /// Example usage:
 ///     const std::vector<Offset> images =

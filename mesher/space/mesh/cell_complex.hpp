@@ -44,6 +44,10 @@ struct CellComplex {
     int n_cells = 0;
     /// The sites of the cells in the domain of the reduced basis, length units.
     std::vector<Vec3> sites = {};
+    /// The cell of each piece, ascending, where the cells of this complex are pieces inside of a
+    /// box (mesher/space/box): `sites` then has the site of that cell in the frame of the piece.
+    /// Empty for whole cells.
+    std::vector<SiteId> piece_cell = {};
     /// Edges shorter than this part of h were removed (short_edges.hpp), and with them (3): faces
     /// are plane within this length. 0: none.
     double short_edges = 0;
@@ -55,6 +59,7 @@ struct CellComplex {
     std::vector<VertexImage> corners = {};
 
     int n_faces() const { return static_cast<int>(faces.size()); }
+    SiteId site_of(int cell) const { return piece_cell.empty() ? cell : piece_cell[cell]; }
     std::span<const VertexImage> corners_of(int f) const {
         return {corners.data() + begin[f], corners.data() + begin[f + 1]};
     }

@@ -40,6 +40,37 @@ Vec3 nearest_image(const Lattice& reduced, const Vec3& p, const Vec3& q) {
 /// Roundings of a coordinate on its way into a tile and into a plane.
 constexpr double kRoundings = 4;
 
+/// Images of one site differ by no more in each coordinate, and those of two sites by more.
+template <class Positions>
+double same_site_distance(double spacing, const Positions& sites) {
+    constexpr double kPartOfSpacing = 1e-10;
+    constexpr double kUlps = 8;
+    return kPartOfSpacing * spacing +
+           kUlps * std::numeric_limits<double>::epsilon() * sites.cwiseAbs().maxCoeff();
+}
+
+/// The centroid of each cell; of each piece that of its cell, in the frame of the piece.
+std::vector<Vec3> cell_centroids(const PolyhedralMesh& mesh, const Points& sites) {
+    const std::vector<CellBody> bodies = cell_bodies(mesh);
+    std::vector<Vec3> centroids;
+    if (mesh.piece_cell.empty()) {
+        for (const CellBody& body : bodies) centroids.push_back(body.centroid);
+        return centroids;
+    }
+    const auto n = static_cast<std::size_t>(mesh.n_sites());
+    std::vector<double> volumes(n, 0);
+    std::vector<Vec3> from_site(n, Vec3::Zero());
+    for (int p = 0; p < mesh.n_cells; ++p) {
+        volumes[mesh.piece_cell[p]] += bodies[p].volume;
+        from_site[mesh.piece_cell[p]] += bodies[p].volume * (bodies[p].centroid - sites.col(p));
+    }
+    for (int p = 0; p < mesh.n_cells; ++p) {
+        const SiteId cell = mesh.piece_cell[p];
+        centroids.push_back(sites.col(p) + from_site[cell] / volumes[cell]);
+    }
+    return centroids;
+}
+
 /// Examines the faces of a tile against the planes between sites.
 class BisectorProof {
    public:
@@ -48,7 +79,7 @@ class BisectorProof {
         : mesh_(mesh),
           sites_(sites),
           weights_(weights),
-          bodies_(cell_bodies(mesh)),
+          centroids_(cell_centroids(mesh, sites)),
           spacing_(spacing) {}
 
     /// @param other  the image of the site on the other side of the face, that of cell `across`.
@@ -72,14 +103,14 @@ class BisectorProof {
             }
             figures_.from_bisector = std::max(figures_.from_bisector, off);
         }
-        if (!((bodies_[cell].centroid - middle).dot(direction) < 0)) {
+        if (!((centroids_[cell] - middle).dot(direction) < 0)) {
             refuse_cell(cell, "lies on the side of the site of a neighbour");
         }
     }
 
     CellSiteFigures figures() {
-        for (int s = 0; s < mesh_.n_cells; ++s) {
-            const double off = (bodies_[s].centroid - sites_.col(s)).norm() / spacing_;
+        for (int p = 0; p < mesh_.n_cells; ++p) {
+            const double off = (centroids_[p] - sites_.col(p)).norm() / spacing_;
             figures_.from_centroid = std::max(figures_.from_centroid, off);
         }
         return figures_;
@@ -89,7 +120,7 @@ class BisectorProof {
     const PolyhedralMesh& mesh_;
     const Points& sites_;
     const Eigen::VectorXd& weights_;
-    std::vector<CellBody> bodies_;
+    std::vector<Vec3> centroids_;
     double spacing_;
     CellSiteFigures figures_;
 };
@@ -116,6 +147,31 @@ Points sites_of_cells(const CellComplex& complex, const std::vector<Offset>& ima
     return sites;
 }
 
+std::vector<SiteId> cells_of_pieces(const Lattice& lattice, const Points& sites) {
+    std::vector<SiteId> cells;
+    const auto n = static_cast<int>(sites.cols());
+    const double near = same_site_distance(lattice.spacing(std::max(n, 1)), sites);
+    for (int p = 0; p < n; ++p) {
+        checkpoint_each(p);
+        if (p == 0) {
+            cells.push_back(0);
+            continue;
+        }
+        const Vec3 step = sites.col(p) - sites.col(p - 1);
+        const Vec3 whole = lattice.to_lattice(step).array().round();
+        const bool is_same = (step - lattice.to_position(whole)).cwiseAbs().maxCoeff() <= near;
+        cells.push_back(cells.back() + (is_same ? 0 : 1));
+    }
+    if (n == 0 || cells.back() == n - 1) return {};
+    return cells;
+}
+
+bool is_cut(const PolyhedralMesh& mesh, int cell, int across, const Vec3& site, const Vec3& other) {
+    if (mesh.piece_cell.empty() || mesh.site_of(cell) != mesh.site_of(across)) return false;
+    const double spacing = mesh.lattice.spacing(mesh.n_cells);
+    return (other - site).cwiseAbs().maxCoeff() <= same_site_distance(spacing, site);
+}
+
 SitePlane plane_between(int cell, int across, const Vec3& other, const Points& sites,
                         const Eigen::VectorXd& weights) {
     const Vec3 site = sites.col(cell);
@@ -137,7 +193,7 @@ CellSiteFigures prove_cell_sites(const PolyhedralMesh& mesh, const Points& sites
     if (!mesh.metric.is_round()) {
         return prove_cell_sites(to_round(mesh), mesh.metric.to_round(sites), weights);
     }
-    const double spacing = portable_cbrt(mesh.lattice.volume() / mesh.n_cells);
+    const double spacing = portable_cbrt(mesh.lattice.volume() / mesh.n_sites());
     BisectorProof proof(mesh, sites, weights, spacing);
     for_each_side(mesh, sites, [&](int face, int across, const Vec3& other) {
         proof.prove_face(face, across, other);

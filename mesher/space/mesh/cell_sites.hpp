@@ -30,6 +30,16 @@ struct CellSiteFigures {
 /// complex (chosen_images()): 3 x n, length units. A power cell may not contain its site.
 Points sites_of_cells(const CellComplex& complex, const std::vector<Offset>& images);
 
+/// Returns the cell of each piece of a box (PolyhedralMesh::piece_cell) from the sites of the
+/// pieces: consecutive sites are those of one cell if they differ by a translation of the lattice.
+/// Empty for whole cells, whose sites are all different.
+/// @param sites  one a piece, length units.
+std::vector<SiteId> cells_of_pieces(const Lattice& lattice, const Points& sites);
+
+/// Whether a face that has pieces with these images of sites on its two sides is one in which a box
+/// cuts their cell, and no face of the cell.
+bool is_cut(const PolyhedralMesh& mesh, int cell, int across, const Vec3& site, const Vec3& other);
+
 /// The plane of equal power distance of two sites.
 struct SitePlane {
     Vec3 point;
@@ -48,8 +58,9 @@ struct SitePlane {
 SitePlane plane_between(int cell, int across, const Vec3& other, const Points& sites,
                         const Eigen::VectorXd& weights);
 
-/// Calls visit(face, across, other) for each inner face and each side of the seam: `across` is the
-/// cell on the other side of the face, and `other` the image of its site there.
+/// Calls visit(face, across, other) for each inner face and each side of the seam, but for those in
+/// which a box cuts a cell: `across` is the cell on the other side of the face, and `other` the
+/// image of its site there.
 ///
 /// Example usage:
 ///     for_each_side(mesh, sites, [&](int face, int across, const Vec3& other) {
@@ -57,9 +68,13 @@ SitePlane plane_between(int cell, int across, const Vec3& other, const Points& s
 ///     });
 template <class Visit>
 void for_each_side(const PolyhedralMesh& mesh, const Points& sites, const Visit& visit) {
+    const auto visit_unless_cut = [&](int face, int across, const Vec3& other) {
+        const int cell = mesh.owner[face];
+        if (!is_cut(mesh, cell, across, sites.col(cell), other)) visit(face, across, other);
+    };
     for (int f = 0; f < mesh.n_inner_faces(); ++f) {
         checkpoint_each(f);
-        visit(f, mesh.neighbour[f], sites.col(mesh.neighbour[f]));
+        visit_unless_cut(f, mesh.neighbour[f], Vec3(sites.col(mesh.neighbour[f])));
     }
     for (const FiniteVolumePatch& patch : mesh.patches) {
         // The neighbour across the seam is the partner's owner, back by the translation.
@@ -67,7 +82,8 @@ void for_each_side(const PolyhedralMesh& mesh, const Points& sites, const Visit&
         for (int k = 0; k < patch.n_faces; ++k) {
             checkpoint_each(k);
             const int across = mesh.owner[partner + k];
-            visit(patch.first_face + k, across, Vec3(sites.col(across) - patch.separation));
+            visit_unless_cut(patch.first_face + k, across,
+                             Vec3(sites.col(across) - patch.separation));
         }
     }
 }
@@ -77,6 +93,9 @@ void for_each_side(const PolyhedralMesh& mesh, const Points& sites, const Visit&
 /// that fill the torus and satisfy this at each face are the Voronoi cells. With weights the cells
 /// are power cells, and the plane that of equal power distances. Distances, and the figures, are
 /// those in the metric of the mesh.
+///
+/// Faces in which a box cuts a cell are no part of the boundary of the cell, whose pieces all have
+/// the image of its site in their frame.
 ///
 /// @pre prove_polyhedra() has proved the mesh.
 /// @param sites    3 x n, the image of each site that its cell belongs to, length units.

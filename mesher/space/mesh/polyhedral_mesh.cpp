@@ -81,7 +81,10 @@ PlacedFaces placed_faces(const CellComplex& complex, const std::vector<Offset>& 
 class MeshBuilder {
    public:
     MeshBuilder(const CellComplex& complex, const Reduction& reduction, PolyhedralMesh& mesh)
-        : complex_(complex), reduction_(reduction), mesh_(mesh) {}
+        : complex_(complex),
+          reduction_(reduction),
+          is_box_(!complex.piece_cell.empty()),
+          mesh_(mesh) {}
 
     void add_inner(const PlacedFace& face) {
         add(face);
@@ -104,11 +107,11 @@ class MeshBuilder {
         for (std::size_t k = 0; k < images.size(); ++k) {
             checkpoint_each(static_cast<long>(k));
             if (images[k].vertex != images[first].vertex) first = k;
-            const Offset offset = reduction_.to_original(images[k].offset - images[first].offset);
+            const Offset offset = to_original(images[k].offset - images[first].offset);
             mesh_.point_orbit.push_back(static_cast<int>(first));
             mesh_.point_offset.push_back(offset);
             mesh_.points.push_back(first == k
-                                       ? complex_.position(images[k])
+                                       ? position(images[k])
                                        : mesh_.points[first] + mesh_.lattice.translation(offset));
         }
         for (std::size_t k = 0; k < corners_.size(); ++k) {
@@ -119,12 +122,25 @@ class MeshBuilder {
     }
 
    private:
+    /// Images of vertices of a box are sorted by offsets in the basis of the user, so that the
+    /// first one lies on the lower sides.
+    Offset sorted_offset(const Offset& reduced) const {
+        return is_box_ ? reduction_.to_original(reduced) : reduced;
+    }
+    Offset to_original(const Offset& sorted) const {
+        return is_box_ ? sorted : reduction_.to_original(sorted);
+    }
+    Vec3 position(const VertexImage& sorted) const {
+        if (!is_box_) return complex_.position(sorted);
+        return complex_.vertices[sorted.vertex] + mesh_.lattice.translation(sorted.offset);
+    }
+
     void add(const PlacedFace& face) {
         const auto corners = complex_.corners_of(face.face);
         for (std::size_t k = 0; k < corners.size(); ++k) {
             // A reversed face begins at the same corner, so that partners match.
             const auto& corner = corners[face.reversed ? (corners.size() - k) % corners.size() : k];
-            corners_.push_back({corner.vertex, corner.offset + face.shift});
+            corners_.push_back({corner.vertex, sorted_offset(corner.offset + face.shift)});
         }
         mesh_.faces.begin.push_back(static_cast<int>(corners_.size()));
         mesh_.owner.push_back(face.owner);
@@ -132,6 +148,7 @@ class MeshBuilder {
 
     const CellComplex& complex_;
     const Reduction& reduction_;
+    bool is_box_;
     PolyhedralMesh& mesh_;
     std::vector<VertexImage> corners_;
 };
@@ -150,7 +167,8 @@ PolyhedralMesh polyhedral_mesh(const Sites& sites, const CellComplex& complex, c
         complex, cell_bodies(complex), domain_corner(sites.lattice(), reduction, origin));
     if (images_of_cells != nullptr) *images_of_cells = images;
     const PlacedFaces placed = placed_faces(complex, images, reduction);
-    PolyhedralMesh mesh{{.n_cells = sites.n_sites()}, sites.lattice()};
+    PolyhedralMesh mesh{{.n_cells = complex.n_cells}, sites.lattice()};
+    mesh.piece_cell = complex.piece_cell;
     mesh.short_edges = complex.short_edges;
     MeshBuilder builder(complex, reduction, mesh);
     for (const PlacedFace& face : placed.inner) builder.add_inner(face);

@@ -8,8 +8,9 @@
 
 namespace pcvt::space {
 
-/// A tile of whole polyhedra, with faces in the order that finite-volume solvers require. Cell s is
-/// the cell of site s.
+/// A tile of whole polyhedra, or a box of pieces of them, with faces in the order that
+/// finite-volume solvers require. Cell s is the cell of site s, or a piece of that of site
+/// piece_cell[s].
 ///
 /// Laws, which prove_polyhedra() proves by number:
 ///   (1) Inner faces come first, with owner < neighbour, sorted by (owner, neighbour); they are
@@ -29,10 +30,15 @@ struct PolyhedralMesh : FiniteVolumeMesh {
     /// For each point, the smallest number on its orbit, and the offset from that point.
     std::vector<int> point_orbit = {};
     std::vector<Offset> point_offset = {};
+    /// As CellComplex::piece_cell: the tile is a box of pieces of cells, unless it is empty.
+    std::vector<SiteId> piece_cell = {};
     /// As CellComplex::short_edges: the cells are convex within this part of h.
     double short_edges = 0;
     /// Elongated cells: the metric in which they are the cells of their sites.
     Metric metric = {};
+
+    SiteId site_of(int cell) const { return piece_cell.empty() ? cell : piece_cell[cell]; }
+    int n_sites() const { return piece_cell.empty() ? n_cells : piece_cell.back() + 1; }
 };
 
 /// Adds the two patches of a seam, whose faces the next 2 n faces of the mesh are.

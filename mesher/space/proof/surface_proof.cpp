@@ -178,6 +178,8 @@ double require_sites(const TileSurface& surface) {
         const Vec3 site = surface.sites.col(behind);
         const Vec3 other =
             Vec3(surface.sites.col(front)) - surface.lattice.translation(surface.offset[f]);
+        // A box cuts a cell between two pieces with one site.
+        if ((other - site).norm() <= kBisectorTolerance * spacing) continue;
         const Vec3 direction = (other - site).normalized();
         const Vec3 middle = (site + other) / 2;
         for (const int v : surface.faces[f]) {

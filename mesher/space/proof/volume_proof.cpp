@@ -32,7 +32,7 @@ class VolumeDoubts {
     explicit VolumeDoubts(const StatedPolyhedra& polyhedra)
         : polyhedra_(polyhedra),
           of_power_(rounding_of_power_distances()),
-          doubts_(Eigen::VectorXd::Zero(polyhedra.mesh.n_cells)) {
+          doubts_(Eigen::VectorXd::Zero(polyhedra.mesh.n_sites())) {
         const PolyhedralMesh& mesh = polyhedra.mesh;
         if (polyhedra.sites.cols() > 0) {
             for_each_side(mesh, polyhedra.sites, [&](int face, int across, const Vec3& other) {
@@ -49,7 +49,7 @@ class VolumeDoubts {
     double rounding_of_power_distances() const {
         const Eigen::VectorXd& weights = polyhedra_.weights;
         const double spacing =
-            portable_cbrt(polyhedra_.mesh.lattice.volume() / polyhedra_.mesh.n_cells);
+            portable_cbrt(polyhedra_.mesh.lattice.volume() / polyhedra_.mesh.n_sites());
         if (weights.size() == 0) return 4 * spacing * polyhedra_.rounding;
         // A corner lies within `reach` of its sites.
         const double reach = spacing + std::sqrt(weights.maxCoeff() - weights.minCoeff());
@@ -74,8 +74,8 @@ class VolumeDoubts {
         const PolyhedralMesh& mesh = polyhedra_.mesh;
         const double moved =
             face_area(mesh, face) * (std::numbers::sqrt3 * polyhedra_.rounding + distance);
-        doubts_[mesh.owner[face]] += moved;
-        if (face < mesh.n_inner_faces()) doubts_[mesh.neighbour[face]] += moved;
+        doubts_[mesh.site_of(mesh.owner[face])] += moved;
+        if (face < mesh.n_inner_faces()) doubts_[mesh.site_of(mesh.neighbour[face])] += moved;
     }
 
     const StatedPolyhedra& polyhedra_;
@@ -87,13 +87,16 @@ class VolumeDoubts {
 
 VolumeComparison compare_volumes(const StatedPolyhedra& polyhedra, const Eigen::VectorXd& wanted,
                                  double least) {
-    const std::vector<CellBody> bodies = cell_bodies(polyhedra.mesh);
+    const PolyhedralMesh& mesh = polyhedra.mesh;
+    const std::vector<CellBody> bodies = cell_bodies(mesh);
+    Eigen::VectorXd volumes = Eigen::VectorXd::Zero(mesh.n_sites());
+    for (int p = 0; p < mesh.n_cells; ++p) volumes[mesh.site_of(p)] += bodies[p].volume;
     const VolumeDoubts rounding(polyhedra);
-    const double mean = polyhedra.mesh.lattice.volume() / polyhedra.mesh.n_cells;
+    const double mean = mesh.lattice.volume() / mesh.n_sites();
     VolumeComparison worst{.cell = -1, .volume = 0, .error = 0, .tolerance = least};
-    for (int s = 0; s < polyhedra.mesh.n_cells; ++s) {
+    for (int s = 0; s < mesh.n_sites(); ++s) {
         checkpoint_each(s);
-        const double volume = bodies[s].volume;
+        const double volume = volumes[s];
         const double error = std::abs(volume - wanted[s]) / mean;
         const double tolerance =
             std::max(least * std::max(1.0, wanted[s] / mean), rounding.doubts()[s] / mean);

@@ -47,6 +47,7 @@ CellMaterials repeated_materials(const CellMaterials& materials, const Repetitio
 Tessellation repeated_cells(const Tessellation& cells, const Repetition& repeat) {
     Tessellation all{
         CvtResult{.delaunay = repeated_cells(cells.delaunay, repeat), .run = cells.run}};
+    all.box_origin = cells.box_origin;
     if (!cells.elongation) return all;
     const Metric& metric = cells.elongation->metric;
     const Lattice lattice = repeated_lattice(cells.sites().lattice(), repeat);

@@ -54,6 +54,8 @@ struct Tessellation : CvtResult {
     std::optional<CentroidFigures> centroids = {};
     /// Elongated cells; set before complex() and table() are called.
     std::optional<Elongation> elongation = {};
+    /// The corner of the box that best_box_origin() found for these cells, length units.
+    std::optional<Vec3> box_origin = {};
 
     /// The sites in the space of the user.
     const Sites& sites() const { return elongation ? elongation->sites : delaunay.sites; }

@@ -18,7 +18,8 @@ namespace pcvt::space {
 ///   (4) The surface encloses the volume of the domain.
 ///   (5) Where sites are stated, each face lies halfway between the site of its cell and that of
 ///   the
-///       cell in front of it, which is the cell of its partner, translated back.
+///       cell in front of it, which is the cell of its partner, translated back, or both are one
+///       site, whose cell a box cuts there.
 struct TileSurface {
     Lattice lattice;
     /// Positions, length units.

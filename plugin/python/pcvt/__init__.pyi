@@ -175,6 +175,7 @@ class SpaceResult:
         path: Optional[_Path],
         *,
         mesh: str = "voronoi",
+        outline: str = "whole",
         surface: str = "cells",
         report: Optional[_Path] = None,
         replace: bool = False,

@@ -37,13 +37,15 @@ def refuse_plane_only(function, arguments):
 
 
 def set_origin(options, origin, dimension):
-    """Sets the corner of the domain: (x, y), (x, y, z), or in the plane "auto"."""
+    """Sets the corner of the domain: (x, y), (x, y, z), or "auto"."""
+    options.find_origin = isinstance(origin, str) and origin == "auto"
+    if options.find_origin:
+        return
     if dimension == 2:
-        options.find_origin = isinstance(origin, str) and origin == "auto"
-        set_doubles(options, origin=(0, 0) if options.find_origin else origin)
+        set_doubles(options, origin=origin)
     # The default is that of the plane.
     elif isinstance(origin, str):
-        raise ArgumentError(f"origin {origin!r} is not for three dimensions; give (x, y, z)")
+        raise ArgumentError(f"origin {origin!r} is no point; give (x, y, z) or \"auto\"")
     elif not np.array_equal(origin, (0, 0)):
         corner = doubles("origin", origin, 3)
         set_doubles(options, origin=corner[:2])

@@ -52,8 +52,8 @@ def mesh(sites, lattice=None, density=None, *, period=None, density_range=(0, 0)
     duplicates      given sites nearer to an earlier one than 1e-9 h: refuse, an error that names them all, or
                     drop, which leaves them out with their areas and orientations, and numbers the others
                     from 0 again. See Statistics.dropped
-    origin          corner of the domain of the tiles, (x, y), in space (x, y, z); in the plane "auto" cuts the
-                    outline BOX where the shortest edge is longest
+    origin          corner of the domain of the tiles, (x, y), in space (x, y, z); "auto" cuts the outline "box"
+                    where the shortest edge is longest, in space where the cut makes the fewest narrow angles
     phases          each cell gets a phase: {name: fraction of the area or volume}, or "NAME:FRACTION,...", with the
                     sum 1; spread evenly, drawn from `seed`; or a list with the name of each site's phase.
                     See Result.phases

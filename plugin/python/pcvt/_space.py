@@ -89,7 +89,7 @@ class SpaceResult:
         """The cells as one SpaceTile. The first use builds and proves it."""
         return SpaceTile(self._handle, self._view())
 
-    def write(self, path, *, mesh="voronoi", surface="cells", report=None, replace=False, progress=None,
+    def write(self, path, *, mesh="voronoi", outline="whole", surface="cells", report=None, replace=False, progress=None,
               voxels=(0, 0, 0), materials=None, colour="default", **fields):
         """Writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), pictures (.svg, .png), the boundary of the tile
         (.om), the Delaunay tetrahedra (.msh, .vtu), the cells as voxels (.vti), a table of the cells (.csv)
@@ -99,6 +99,7 @@ class SpaceResult:
         path        None: only the report
 
         mesh        what .vtu shows: voronoi, the polyhedra, delaunay, the tetrahedra, or grains, those in cells
+        outline     whole: no cell is cut; box: cells and grains are cut along the period vectors at the origin
         surface     what .obj, .ply and .glb show: cells, or the boundary of the tile
         report      also write the statistics of the run to this .json file
         replace     whether files that exist are replaced
@@ -114,6 +115,7 @@ class SpaceResult:
         """
         options = _structs.WriteOptions(struct_size=sizeof(_structs.WriteOptions), replace=bool(replace),
                                         kind=choice("mesh", mesh, dimension=3),
+                                        outline=choice("outline", outline, dimension=3),
                                         surface=choice("surface", surface, dimension=3),
                                         colour=choice("colour", colour, dimension=3),
                                         report=None if report is None else text("report", report))

@@ -329,10 +329,70 @@ class Tetrahedra(CliTest):
                     "check", "t.msh", "--cvt", "1e-3")
 
 
+class Boxes(CliTest):
+    """--outline box."""
+
+    FILES = ("t.vtu", "t.foam", "t.obj", "t.ply", "t.glb")
+
+    def run_box(self, *words, files=FILES):
+        outputs = [word for path in files for word in ("-o", path)]
+        text = self.succeed("mesh", *words, "--outline", "box", "--tolerance", "1e-3", "--force", *outputs)
+        return figures(text)["box"], self.succeed("check", *files).splitlines()
+
+    def test_small_numbers_of_sites_on_every_lattice(self):
+        for k, (name, lattice) in enumerate(LATTICES.items()):
+            for n in (1, 2 + k):
+                with self.subTest((name, n)):
+                    box, lines = self.run_box("--sites", n, *lattice, "--seed", n)
+                    pieces = box.split(" of cells")[0]
+                    for line in lines[:4]:
+                        self.assertIn(f"polyhedra: {pieces} of {n} cell", line)
+                        self.assertRegex(line, r"by 3 translations, .* boundary a manifold, .* a box at \(0, 0, 0\)")
+
+    def test_power_cells_and_elongated_cells(self):
+        for words, files in ((("--volumes", "lognormal:0.4", "--phases", "a:0.5,b:0.5", "--orientations", "random"), self.FILES),
+                             (("--short-edges", "0.05", "--origin", "0.2,0.3,-7"), ("t.vtu", "t.foam")),
+                             (("--aspect", "3,1,1,0", "--origin", "0.2,0.3,-7"), ("t.vtu",)),
+                             (("--repeat", "2x1x1"), self.FILES), (("--surface", "boundary"), ("t.ply", "t.obj", "t.glb", "t.om"))):
+            with self.subTest(words):
+                self.run_box("--sites", 12, *CUBE, *words, files=files)
+
+    def test_volumes_and_centroids_are_those_of_the_cells(self):
+        self.succeed("mesh", "--sites", 20, *CUBE, "--volumes", "lognormal:0.4", "--outline", "box", "-o", "t.vtu", "-o", "t.csv")
+        self.assertIn("volumes of 20 cells within", self.succeed("check", "t.vtu", "--volumes", "t.csv:volume"))
+        self.succeed("mesh", "--sites", 20, *CUBE, "--outline", "box", "-o", "c.vtu")
+        self.succeed("check", "c.vtu", "--cvt", "1e-5")
+
+    def test_the_chosen_origin_is_stated_and_gives_the_same_box(self):
+        words = ("mesh", "--sites", 12, *CUBE, "--mesh", "grains", "--size", "0.3", "--outline", "box", "--tolerance", "1e-3")
+        found = figures(self.succeed(*words, "--origin", "auto", "-o", "a.vtu", "--report", "r.json"))
+        origin = found["box"].split("chosen --origin ")[1]
+        report = json.loads(self.path("r.json").read_text())
+        self.assertEqual(report["box"]["origin"], [float(x) for x in origin.split(",")])
+        self.succeed(*words, "--origin", origin, "-o", "b.vtu", "-o", "b.msh")
+        self.assertEqual(self.path("a.vtu").read_bytes(), self.path("b.vtu").read_bytes())
+        self.assertRegex(self.succeed("check", "b.vtu", "b.msh"), r"in 12 cells on .* a box at .*\n.*in 12 cells on .* a box at ")
+
+    def test_a_moved_point_of_a_side_is_refuted(self):
+        self.succeed("mesh", "--sites", 5, *CUBE, "--outline", "box", "-o", "t.obj")
+        text = self.path("t.obj").read_text()
+        self.path("t.obj").write_text(text.replace("\nv 0 0 0\n", "\nv 0 0 0.001\n"))
+        self.refuse(2, r"^t\.obj: not a periodic tile of polyhedra: law \(3\), seam: ", "check", "t.obj")
+
+    def test_delaunay_tetrahedra_are_not_cut(self):
+        box = ("mesh", "--sites", 8, *CUBE, "--outline", "box")
+        self.refuse(2, r"^pcvt: -o t\.msh: --outline box cannot cut Delaunay tetrahedra; add --mesh grains, or leave the outline out$",
+                    *box, "-o", "t.msh")
+        self.refuse(2, r"^pcvt: -o t\.vtu: --outline box cannot cut Delaunay tetrahedra; add --mesh grains, or leave the outline out$",
+                    *box, "--mesh", "delaunay", "-o", "t.vtu")
+        self.refuse(2, r"^pcvt: --origin auto is for --outline box; add it, or give X,Y,Z$",
+                    "mesh", "--sites", 8, *CUBE, "--origin", "auto", "-o", "t.vtu")
+
+
 class Refusals(CliTest):
     def test_options_of_the_plane(self):
         for words in (("--density", "1"), ("--symmetry", "p4"),
-                      ("--outline", "box"), ("--areas", "lognormal:0.3"), ("--walls", "x"), ("--budget", "5"),
+                      ("--areas", "lognormal:0.3"), ("--walls", "x"), ("--budget", "5"),
                       ("--float32",)):
             self.refuse(2, rf"^pcvt: {words[0]} is not for three dimensions; leave it out, or give two period vectors$",
                         "mesh", "--sites", 8, *CUBE, *words)

@@ -317,8 +317,18 @@ class Materials(CliTest):
             self.assertEqual(of["phase"], result.phase_names[cell["phase"]])
             self.assertEqual([int(word) for word in of["neighbours"].split()], cell["neighbours"].tolist())
 
+    def test_boxes_are_those_of_the_command(self):
+        for origin, option in (((0.1, 0.2, 0.3), "0.1,0.2,0.3"), ("auto", "auto")):
+            with self.subTest(option):
+                result = pcvt.mesh(9, period=(1, 1, 1), origin=origin)
+                for mesh in ("voronoi", "grains"):
+                    self.succeed("mesh", "--sites", 9, "--period", "1,1,1", "--outline", "box", "--origin", option,
+                                 "--mesh", mesh, "-o", "command.vtu", "--force")
+                    result.write(self.path("python.vtu"), mesh=mesh, outline="box", replace=True)
+                    self.assertEqual(self.path("python.vtu").read_bytes(), self.path("command.vtu").read_bytes())
+
     def test_an_origin_has_three_numbers(self):
-        for origin in ((1, 0), (1, 2, 3, 4), "auto"):
+        for origin in ((1, 0), (1, 2, 3, 4), "best"):
             with self.subTest(origin), self.assertRaisesRegex(pcvt.ArgumentError, "^origin"):
                 pcvt.mesh(9, period=(1, 1, 1), origin=origin)
 

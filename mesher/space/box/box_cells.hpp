@@ -1,0 +1,37 @@
+#pragma once
+
+#include "mesher/base/error.hpp"
+#include "mesher/space/mesh/cell_complex.hpp"
+
+namespace pcvt::space {
+
+/// The planes of a box cut a face of a cell in a way that rounding does not resolve.
+class UncutCells : public LimitExceeded {
+   public:
+    using LimitExceeded::LimitExceeded;
+};
+
+/// Cuts cells along the sides of the box at `origin` and along those of all its images.
+///
+/// The result is a complex of the same torus, whose cells are the pieces. Everything that is
+/// computed from it once for each face therefore agrees on opposite sides of the box. Each piece
+/// lies inside of the box, in its frame.
+///
+/// Example usage:
+///     const CellComplex pieces = cells_in_box(sites, complex, origin);
+///     PolyhedralMesh mesh = polyhedral_mesh(sites, pieces);
+///     put_on_sides(origin, mesh);
+///
+/// Laws, tested by number:
+///   (1) V - E + F - C = 0, and the faces of each piece close.
+///   (2) The pieces of a cell are adjacent in number, and their volumes sum to its own.
+///   (3) Each piece of convex cells is the part of its cell inside of the box.
+///   (4) The pieces do not change when a site or the origin moves by a translation of the lattice.
+/// Cost: n log n for n cells.
+///
+/// @param complex  of these sites, also without its short edges.
+/// @param origin   the corner of the box, length units.
+/// @throws UncutCells  naming the side of the box.
+CellComplex cells_in_box(const Sites& sites, const CellComplex& complex, const Vec3& origin);
+
+}  // namespace pcvt::space

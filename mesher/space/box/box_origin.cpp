@@ -1,0 +1,247 @@
+#include "mesher/space/box/box_origin.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "mesher/base/checkpoint.hpp"
+#include "mesher/portable/portable_angles.hpp"
+
+namespace pcvt::space {
+namespace {
+
+constexpr int kFewCells = 200;
+constexpr int kFewPositions = 200;
+constexpr int kManyPositions = 1000;
+/// Sums, and distances from vertices over the largest one, that differ by less are equal up to
+/// rounding.
+constexpr double kEqual = 1e-6;
+
+double dot(const Vec3& a, const Vec3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
+Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(),
+            a.x() * b.y() - a.y() * b.x()};
+}
+
+/// The angle between two vectors, degrees.
+double degrees(const Vec3& a, const Vec3& b) {
+    const Vec3 normal = cross(a, b);
+    return portable_atan2(std::sqrt(dot(normal, normal)), dot(a, b)) * 180 / std::numbers::pi;
+}
+
+double penalty(double angle) {
+    return angle < kNarrowAngle ? (kNarrowAngle - angle) * (kNarrowAngle - angle) : 0;
+}
+
+/// The penalty of an angle between two lines and of its supplement.
+double penalty_of_lines(const Vec3& a, const Vec3& b) {
+    const double angle = degrees(a, b);
+    return penalty(std::min(angle, 180 - angle));
+}
+
+/// A part of the section of a cell: the line in which a plane cuts one of its faces, with the
+/// section of the cell on the left seen from above.
+struct SectionEdge {
+    SiteId cell;
+    /// Tells apart the sections of several images.
+    int plane;
+    Vec3 from;
+    Vec3 to;
+};
+
+/// A face as seen by the planes of one axis.
+class FaceSections {
+   public:
+    FaceSections(const Sites& sites, const CellComplex& complex, int axis)
+        : complex_(complex), lattice_(sites.lattice()), reduction_(sites.reduction()), axis_(axis) {
+        const auto& periods = lattice_.periods();
+        up_ = cross(periods[(axis + 1) % 3], periods[(axis + 2) % 3]);
+        if (!lattice_.right_handed()) up_ = -up_;
+        for (const Vec3& vertex : complex.vertices) {
+            heights_.push_back(lattice_.to_lattice(vertex)[axis]);
+            wrapped_.push_back(heights_.back() - std::floor(heights_.back()));
+        }
+        std::sort(wrapped_.begin(), wrapped_.end());
+    }
+
+    /// The distance of a plane from the nearest vertex, in periods.
+    double distance_from_vertices(double position) const {
+        const auto next = std::lower_bound(wrapped_.begin(), wrapped_.end(), position);
+        const double above = next == wrapped_.end() ? wrapped_.front() + 1 : *next;
+        const double below = next == wrapped_.begin() ? wrapped_.back() - 1 : *std::prev(next);
+        return std::min(above - position, position - below);
+    }
+
+    int along(const Offset& offset) const {
+        return reduction_.to_original(offset).components()[axis_];
+    }
+    double height(const VertexImage& image) const {
+        return heights_[image.vertex] + along(image.offset);
+    }
+    /// The range of heights of a face.
+    std::pair<double, double> range(int f) const {
+        double low = height(complex_.corners_of(f)[0]);
+        double high = low;
+        for (const VertexImage& corner : complex_.corners_of(f)) {
+            low = std::min(low, height(corner));
+            high = std::max(high, height(corner));
+        }
+        return {low, high};
+    }
+
+    /// Adds the angles at the line in which a plane cuts a face: a corner above or below at each
+    /// end, and a dihedral angle in both cells. Adds that line to the sections of these cells.
+    /// Planes that touch a face do not count.
+    void cut(int f, double position, int whole, double& sum,
+             std::vector<SectionEdge>& edges) const {
+        const auto corners = complex_.corners_of(f);
+        const double plane = position + whole;
+        std::array<Vec3, 2> ends;
+        std::array<Vec3, 2> along_edges;
+        int n_found = 0;
+        bool rises_first = false;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const double here = height(corners[k]) - plane;
+            const double next = height(corners[(k + 1) % corners.size()]) - plane;
+            if ((here < 0) == (next < 0)) continue;
+            if (n_found == 2) return;
+            const Vec3 from = complex_.position(corners[k]);
+            const Vec3 step = complex_.position(corners[(k + 1) % corners.size()]) - from;
+            if (n_found == 0) rises_first = here < 0;
+            ends[n_found] = from + here / (here - next) * step;
+            along_edges[n_found++] = step;
+        }
+        if (n_found < 2) return;
+        if (!rises_first) std::swap(ends[0], ends[1]);
+        if (!rises_first) std::swap(along_edges[0], along_edges[1]);
+        const Vec3 line = ends[1] - ends[0];
+        for (const Vec3& edge : along_edges) sum += penalty_of_lines(line, edge);
+        sum += 2 * penalty_of_lines(normal(f), up_);
+        // From where the face rises to where it comes down runs the face below the plane, so that
+        // the section has this line in reverse.
+        const CellFace& face = complex_.faces[f];
+        const Vec3 back = complex_.reduced.translation(face.offset);
+        edges.push_back({face.cell, whole, ends[1], ends[0]});
+        edges.push_back(
+            {face.neighbour, whole - along(face.offset), ends[0] - back, ends[1] - back});
+    }
+
+   private:
+    Vec3 normal(int f) const {
+        const auto corners = complex_.corners_of(f);
+        const Vec3 first = complex_.position(corners[0]);
+        Vec3 area = Vec3::Zero();
+        for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+            area += cross(complex_.position(corners[k]) - first,
+                          complex_.position(corners[k + 1]) - first);
+        }
+        return area;
+    }
+
+    const CellComplex& complex_;
+    const Lattice& lattice_;
+    const Reduction& reduction_;
+    int axis_;
+    /// Towards larger heights, normal to the planes.
+    Vec3 up_;
+    /// Of vertices, in periods.
+    std::vector<double> heights_;
+    /// The same from 0 to 1, rising.
+    std::vector<double> wrapped_;
+};
+
+/// The penalty of the corners of sections, whose two sides are the pieces above and below.
+double section_penalty(std::vector<SectionEdge>& edges) {
+    std::stable_sort(edges.begin(), edges.end(), [](const SectionEdge& e, const SectionEdge& g) {
+        return std::tie(e.cell, e.plane) < std::tie(g.cell, g.plane);
+    });
+    double sum = 0;
+    for (std::size_t begin = 0; begin < edges.size();) {
+        std::size_t end = begin;
+        while (end < edges.size() && edges[end].cell == edges[begin].cell &&
+               edges[end].plane == edges[begin].plane) {
+            ++end;
+        }
+        for (std::size_t k = begin; k < end; ++k) {
+            // The edge that begins where this one ends.
+            const auto next = std::min_element(edges.begin() + std::ptrdiff_t(begin),
+                                               edges.begin() + std::ptrdiff_t(end),
+                                               [&](const SectionEdge& e, const SectionEdge& g) {
+                                                   return (e.from - edges[k].to).squaredNorm() <
+                                                          (g.from - edges[k].to).squaredNorm();
+                                               });
+            sum += penalty(degrees(edges[k].from - edges[k].to, next->to - next->from));
+        }
+        begin = end;
+    }
+    return sum;
+}
+
+int whole_below(double height) { return static_cast<int>(std::ceil(height)); }
+
+/// The faces that each position cuts, and the number of periods from there.
+using CutFaces = std::vector<std::pair<int, int>>;
+
+double sum_of_angles(const FaceSections& sections, double position, const CutFaces& faces) {
+    double sum = 0;
+    std::vector<SectionEdge> edges;
+    for (const auto& [f, whole] : faces) sections.cut(f, position, whole, sum, edges);
+    return sum + section_penalty(edges);
+}
+
+/// The best of m positions along an axis.
+double best_position(const Sites& sites, const CellComplex& complex, int axis, int m) {
+    const FaceSections sections(sites, complex, axis);
+    const auto position = [m](long k) { return (double(k) + 0.5) / m; };
+    std::vector<CutFaces> cut(static_cast<std::size_t>(m));
+    for (int f = 0; f < complex.n_faces(); ++f) {
+        checkpoint_each(f);
+        const auto [low, high] = sections.range(f);
+        const auto last = static_cast<long>(std::ceil(high * m));
+        for (auto k = static_cast<long>(std::floor(low * m)) - 1; k <= last; ++k) {
+            const long whole = k >= 0 ? k / m : -((m - 1 - k) / m);
+            cut[k - whole * m].emplace_back(f, static_cast<int>(whole));
+        }
+    }
+    std::vector<double> sums;
+    for (int k = 0; k < m; ++k) {
+        checkpoint();
+        sums.push_back(sum_of_angles(sections, position(k), cut[k]));
+    }
+    const double least = *std::min_element(sums.begin(), sums.end());
+    double best = 0;
+    double farthest = -1;
+    for (int k = 0; k < m; ++k) {
+        if (sums[k] > least + kEqual * (1 + least)) continue;
+        const double distance = sections.distance_from_vertices(position(k));
+        if (!(distance > farthest + kEqual / m)) continue;
+        farthest = distance;
+        best = position(k);
+    }
+    return best;
+}
+
+}  // namespace
+
+double narrow_angles(const Sites& sites, const CellComplex& complex, int axis, double plane) {
+    const FaceSections sections(sites, complex, axis);
+    CutFaces faces;
+    for (int f = 0; f < complex.n_faces(); ++f) {
+        const auto [low, high] = sections.range(f);
+        for (int k = whole_below(low - plane); plane + k <= high; ++k) faces.emplace_back(f, k);
+    }
+    return sum_of_angles(sections, plane, faces);
+}
+
+Vec3 best_box_origin(const Sites& sites, const CellComplex& complex) {
+    const int m = complex.n_cells > kFewCells ? kManyPositions : kFewPositions;
+    Vec3 u;
+    for (int axis = 0; axis < 3; ++axis) u[axis] = best_position(sites, complex, axis, m);
+    return sites.lattice().to_position(u);
+}
+
+}  // namespace pcvt::space
