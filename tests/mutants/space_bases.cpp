@@ -92,8 +92,8 @@ void add_tetrahedra(const SpaceFormat& format, const SpaceCase& c, const std::st
     const space::TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
     // Some tetrahedra of exact lattices are flat.
     if (!flat_tetrahedra(mesh, delaunay.sites.n_sites()).empty()) return;
-    bases.push_back(
-        {"tetrahedra " + c.name, plane::MeshKind::kDelaunay, format.encode_tetrahedra(mesh, path)});
+    bases.push_back({"tetrahedra " + c.name, plane::MeshKind::kDelaunay,
+                     format.encode_tetrahedra(mesh, {}, path)});
 }
 
 /// Voxels with and without materials and weights, for which the tetrahedra are still regular.
