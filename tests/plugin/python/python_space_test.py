@@ -166,7 +166,8 @@ class Files(CliTest):
         self.succeed("mesh", "--sites", 2, "--period", "1,1,1", "--mesh", "grains", "--size", "0.5", "--order", "2", "--job",
                      "elastic", "--quiet", "-o", "a.inp")
         of_command = self.contents()
-        pcvt.space(2, grain_size=0.5, grain_order=2).write(self.path("a.inp"), mesh="grains", job="elastic", replace=True)
+        result = pcvt.mesh(2, period=(1, 1, 1), grain_size=0.5, grain_order=2)
+        result.write(self.path("a.inp"), mesh="grains", job="elastic", replace=True)
         self.assertEqual(self.contents(), of_command)
         with self.assertRaisesRegex(pcvt.ArgumentError, "mesh 'cubes' is unknown; take one of voronoi, delaunay, grains"):
             result.write(self.path("a.vtu"), mesh="cubes", replace=True)
