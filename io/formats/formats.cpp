@@ -138,16 +138,7 @@ constexpr std::array<Format, 17> kFormats{{
      .states_materials = true,
      .states_orbits = true,
      .memory = {0, 1180, 800},
-     .space =
-         SpaceFormat{
-             .memory = 9000,
-             .takes = {.job = true, .constants = true, .phases = true, .orientations = true},
-             .encode_tetrahedra = encode_tetrahedra_inp,
-             .kind = space_rows::kind_where<SpaceFileKind::kTetrahedra, holds_inp_tetrahedra>,
-             .decode_tetrahedra = decode_inp_tetrahedra,
-             .compare_tetrahedra = compare_inp_tetrahedra,
-             .states_materials = true,
-             .rounds_positions = true}},
+     .space = space_rows::kAbaqus},
     {.extension = ".vtu",
      .description = "VTK unstructured grid, ASCII, with double coordinates",
      .write = plane_rows::write_vtu,

@@ -56,8 +56,8 @@ struct TetrahedralFileProof {
     space::TetrahedralProof proof;
 };
 
-/// Proves all that a file of tetrahedra states: the laws of TetrahedralMesh, the nodes in the middle
-/// of edges, groups, sets, links and equations, the images of points.
+/// Proves all that a file of tetrahedra states: the laws of TetrahedralMesh, the nodes in the
+/// middle of edges, groups, sets, links and equations, the images of points.
 /// @pre space_file_kind({file}) is kTetrahedra.
 /// @param tolerance  least_tolerance of prove_tetrahedra().
 /// @throws BadFile, NotATile as the reader and the proof do.

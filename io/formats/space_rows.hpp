@@ -22,6 +22,7 @@
 #include "io/solvers/inp_tetrahedra.hpp"
 #include "io/solvers/msh_tetrahedra.hpp"
 #include "io/solvers/msh_writer.hpp"
+#include "io/solvers/vtu_tetrahedra.hpp"
 #include "io/solvers/vtu_volumes.hpp"
 #include "io/solvers/vtu_writer.hpp"
 
@@ -110,5 +111,15 @@ Kind surfaces_kind(const std::vector<EncodedFile>& files) {
     const bool are_cells = kDecode(files.front()).form == SurfaceForm::kCells;
     return are_cells ? SpaceFileKind::kPolyhedra : SpaceFileKind::kBoundary;
 }
+
+inline constexpr SpaceFormat kAbaqus{
+    .memory = 9000,
+    .takes = {.job = true, .constants = true, .phases = true, .orientations = true},
+    .encode_tetrahedra = encode_tetrahedra_inp,
+    .kind = kind_where<SpaceFileKind::kTetrahedra, holds_inp_tetrahedra>,
+    .decode_tetrahedra = decode_inp_tetrahedra,
+    .compare_tetrahedra = compare_inp_tetrahedra,
+    .states_materials = true,
+    .rounds_positions = true};
 
 }  // namespace pcvt::space_rows

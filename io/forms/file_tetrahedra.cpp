@@ -25,7 +25,8 @@ constexpr double kMiddleUlps = 4;
 
 double middle_tolerance(const space::TetrahedralMesh& mesh) {
     double largest = 0;
-    for (const space::Vec3& p : mesh.points) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
+    for (const space::Vec3& p : mesh.points)
+        largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
     return kMiddleUlps * std::numeric_limits<double>::epsilon() * largest;
 }
 

@@ -69,8 +69,8 @@ void add_seam_triangles(std::vector<SeamSide> sides, std::vector<SharedTriangle>
     cancellable_sort(sides.begin(), sides.end());
     for (std::size_t k = 1; k < sides.size(); ++k) {
         if (sides[k - 1].corners != sides[k].corners) continue;
-        triangles.push_back(triangle_of(sides[k - 1].place, sides[k].place,
-                                        sides[k].offset - sides[k - 1].offset));
+        triangles.push_back(
+            triangle_of(sides[k - 1].place, sides[k].place, sides[k].offset - sides[k - 1].offset));
         ++k;
     }
 }
@@ -106,8 +106,8 @@ class CellCount {
         for (int k = 0; k < n_nodes_; ++k) {
             if (!is_on_side(k, triangle.apexes[0])) continue;
             for (int l = 0; l < n_nodes_; ++l) {
-                if (is_on_side(l, triangle.apexes[1]) && are_images(node(t, k), node(u, l),
-                                                                    triangle.offset)) {
+                if (is_on_side(l, triangle.apexes[1]) &&
+                    are_images(node(t, k), node(u, l), triangle.offset)) {
                     parts_.unite(n_nodes_ * t + k, n_nodes_ * u + l);
                 }
             }

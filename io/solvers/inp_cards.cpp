@@ -126,8 +126,7 @@ void InpCards::parse_equation(const Words& fields) {
     if (n_pending_ == 0) {
         require_fields(fields, 1, 1);
         n_pending_ = scanner_.integer(fields[0]);
-        if (n_pending_ < 1)
-            scanner_.throw_bad_file("an equation has at least 1 term; correct it");
+        if (n_pending_ < 1) scanner_.throw_bad_file("an equation has at least 1 term; correct it");
         equations_.push_back({scanner_.line(), {}});
         return;
     }

@@ -34,8 +34,7 @@ class InpCards {
     using Position = std::array<double, 3>;
 
     /// @param text  must outlive this object.
-    InpCards(const std::string& name, std::string_view text)
-        : name_(name), scanner_(name, text) {}
+    InpCards(const std::string& name, std::string_view text) : name_(name), scanner_(name, text) {}
     virtual ~InpCards() = default;
     InpCards(const InpCards&) = delete;
     InpCards& operator=(const InpCards&) = delete;

@@ -11,8 +11,9 @@ namespace {
 
 /// The beginnings of the names of the sets that pcvt writes.
 constexpr std::array<std::string_view, 11> kSets{
-    "CELL_",          "SEAM_",         "WALL_",        "FIXED",            "EALL",    "NALL",
-    "GRAIN_BOUNDARY", "TRIPLE_POINTS", "TRIPLE_LINES", "QUADRUPLE_POINTS", "CONTROL_"};
+    "CELL_",   "SEAM_",          "WALL_",         "FIXED",        "EALL",
+    "NALL",    "GRAIN_BOUNDARY", "TRIPLE_POINTS", "TRIPLE_LINES", "QUADRUPLE_POINTS",
+    "CONTROL_"};
 /// The beginnings of the cards that follow from the materials of a file, where it states them.
 constexpr std::array<std::string_view, 4> kMaterialCards{
     "*ELSET,ELSET=PHASE_", "*SURFACE,NAME=PHASE_", "*ORIENTATION,", "*SOLIDSECTION,"};

@@ -27,8 +27,7 @@ struct Tie {
 class InpParser final : public InpCards {
    public:
     InpParser(const std::string& name, std::string_view text)
-        : InpCards(name, text),
-          file_{.name = name, .index_base = 1, .notes = {.short_edges = 0}} {}
+        : InpCards(name, text), file_{.name = name, .index_base = 1, .notes = {.short_edges = 0}} {}
 
     FileTileBuilder read() {
         parse();

@@ -126,7 +126,10 @@ void append_step(std::string& text, const LoadCase& load, int dimension) {
             const bool is_load = load.i == i && load.j == j;
             const std::string component = "," + std::to_string(j);
             text += "CONTROL_" + std::to_string(i) + component + component +
-                    (!is_load ? ",0." : i == j ? ",1." : ",0.5") + "\n";
+                    (!is_load ? ",0."
+                     : i == j ? ",1."
+                              : ",0.5") +
+                    "\n";
         }
     }
     text += "*EL PRINT,ELSET=EALL,GLOBAL=YES\nS,E,EVOL\n*NODE FILE";
@@ -213,9 +216,12 @@ std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices
     const bool in_plane = dimension == 2;
     text += in_plane ? "** The area of the period is " : "** The volume of the period is ";
     append_number(text, period);
-    text += in_plane ? ", and its volume the same, because elements are 1 thick. The mean\n** stress"
-                     : ". The mean stress";
-    text += " of a step is the sum of S x volume over that volume, which counts holes, too.\n";
+    text += in_plane
+                ? ", and its volume the same, because elements are 1 thick. The mean\n** stress"
+                : ". The mean stress";
+    text += in_plane
+                ? " of a step is the sum of S x volume over that volume, which counts holes, too.\n"
+                : " of a step\n** is the sum of S x volume over that volume.\n";
     for (const LoadCase& load : in_plane ? std::span<const LoadCase>(kPlaneLoadCases)
                                          : std::span<const LoadCase>(kSpaceLoadCases)) {
         append_step(text, load, dimension);

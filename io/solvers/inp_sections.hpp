@@ -9,7 +9,8 @@
 
 namespace pcvt {
 
-/// Returns the lines with which an input begins: whether it holds only the mesh, sections, or a job.
+/// Returns the lines with which an input begins: whether it holds only the mesh, sections, or a
+/// job.
 std::string inp_head(const FileOptions& options);
 
 /// Appends the site of each node as comments; nothing where nodes have none.

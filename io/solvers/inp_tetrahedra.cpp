@@ -56,8 +56,7 @@ class TetrahedraInp {
         add_surfaces();
         if (!materials_.empty()) form_.job = inp_sections(materials_, cells_, 3);
         if (options_.job == SolverJob::kElastic) {
-            form_.job +=
-                inp_elastic_job(materials_, options_.elastic, mesh_.lattice.volume(), 3);
+            form_.job += inp_elastic_job(materials_, options_.elastic, mesh_.lattice.volume(), 3);
         }
         return std::move(form_);
     }
@@ -150,8 +149,10 @@ class TetrahedraInpParser final : public InpCards {
 
     TetrahedralTile read() {
         parse();
-        if (!lattice_) throw BadFile(name() + ": states no lattice; write the file again with pcvt");
-        std::erase_if(nodes_, [this](const NumberedPoint& node) { return is_control(node.number); });
+        if (!lattice_)
+            throw BadFile(name() + ": states no lattice; write the file again with pcvt");
+        std::erase_if(nodes_,
+                      [this](const NumberedPoint& node) { return is_control(node.number); });
         if (nodes_.empty() || found_.elements.size() == 0) {
             throw BadFile(name() + ": holds no tetrahedron; give the whole file");
         }
@@ -181,8 +182,7 @@ class TetrahedraInpParser final : public InpCards {
         } else if (key == "sites") {
             for (const std::string_view word : values) sites_.push_back(scanner().integer(word));
         } else if (key != "kind") {
-            scanner().throw_bad_file("pcvt does not know " + in_quotes(key) +
-                                     "; remove the line");
+            scanner().throw_bad_file("pcvt does not know " + in_quotes(key) + "; remove the line");
         }
     }
 
@@ -216,7 +216,8 @@ class TetrahedraInpParser final : public InpCards {
             scanner().throw_bad_file("the tetrahedra have not all as many nodes; take one order");
         }
         if (number != elements.size() + 1) {
-            scanner().throw_bad_file("the elements are not numbered 1, 2, ...; write the file again");
+            scanner().throw_bad_file(
+                "the elements are not numbered 1, 2, ...; write the file again");
         }
         elements.kind = kind;
         for (int& v : nodes) --v;
@@ -307,9 +308,7 @@ std::vector<EncodedFile> encode_tetrahedra_inp(const space::TetrahedralMesh& mes
     return only_file(path, inp_text(TetrahedraInp(mesh, options).make(), path));
 }
 
-bool holds_inp_tetrahedra(const EncodedFile& inp) {
-    return states_tetrahedra(inp.bytes);
-}
+bool holds_inp_tetrahedra(const EncodedFile& inp) { return states_tetrahedra(inp.bytes); }
 
 TetrahedralTile decode_inp_tetrahedra(const EncodedFile& inp) {
     refuse_binary(inp.path, inp.bytes, "give an Abaqus or CalculiX input");

@@ -28,8 +28,7 @@ namespace pcvt {
 /// @throws InvalidInput   if 20 characters cannot hold the numbers of the tile.
 /// @throws InternalError  if a coordinate is not finite.
 std::vector<EncodedFile> encode_tetrahedra_inp(const space::TetrahedralMesh& mesh,
-                                               const FileOptions& options,
-                                               const std::string& path);
+                                               const FileOptions& options, const std::string& path);
 
 /// Returns whether an input holds tetrahedra of pcvt.
 bool holds_inp_tetrahedra(const EncodedFile& inp);

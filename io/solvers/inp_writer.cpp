@@ -168,9 +168,8 @@ class PlaneInp {
             }
         }
         for (auto& [wall, of_wall] : sides) {
-            form_.surfaces.push_back(
-                {upper_case(wall_name(tile_, wall)) + upper_case(kSidesSuffix),
-                 std::move(of_wall)});
+            form_.surfaces.push_back({upper_case(wall_name(tile_, wall)) + upper_case(kSidesSuffix),
+                                      std::move(of_wall)});
         }
     }
 

@@ -75,9 +75,7 @@ class TetrahedraParser final : public MshSections {
         nodes_.push_back({number, line, position});
     }
 
-    void end_nodes() override {
-        mesh().points = points_by_number(name(), nodes_);
-    }
+    void end_nodes() override { mesh().points = points_by_number(name(), nodes_); }
 
     /// Returns the number of a node minus 1.
     int node(std::size_t word) {
@@ -155,9 +153,7 @@ class TetrahedraParser final : public MshSections {
 
 }  // namespace
 
-bool holds_msh_tetrahedra(const EncodedFile& msh) {
-    return states_tetrahedra(msh.bytes);
-}
+bool holds_msh_tetrahedra(const EncodedFile& msh) { return states_tetrahedra(msh.bytes); }
 
 TetrahedralTile decode_msh_tetrahedra(const EncodedFile& msh) {
     refuse_binary(msh.path, msh.bytes, "save it as ASCII, MSH 4.1");

@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
-#include "io/forms/point_offsets.hpp"
-#include "io/solvers/vtu_arrays.hpp"
-#include "io/solvers/vtu_writer.hpp"
+#include "io/solvers/vtu_grid.hpp"
+#include "io/solvers/vtu_space.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "mesher/space/mesh/cell_faces.hpp"
 #include "mesher/space/mesh/cell_sites.hpp"
@@ -22,16 +21,9 @@ namespace {
 /// Volumes that a file states may differ by this part of the volume: by the order of summation.
 constexpr double kVolumeError = 1e-10;
 
-constexpr std::string_view kOrientationArray = "CellData/Orientation";
 constexpr std::array<std::string_view, 7> kPolyhedraArrays{
     "Cells/faces",   "Cells/faceoffsets", "CellData/Faces", "CellData/Volume",
     "CellData/Site", "CellData/Weight",   kOrientationArray};
-
-/// "(1, 0, -1)"
-std::string in_words(const space::Offset& offset) {
-    return "(" + std::to_string(offset.i) + ", " + std::to_string(offset.j) + ", " +
-           std::to_string(offset.k) + ")";
-}
 
 /// Returns PolyhedralMesh::short_edges, which a file without removed edges does not state.
 double read_short_edges(const VtuArrays& arrays) {
@@ -53,89 +45,6 @@ space::Metric read_metric(const VtuArrays& arrays) {
     } catch (const InvalidInput& fault) {
         arrays.scanner().throw_bad_file(array.line, fault.what());
     }
-}
-
-std::vector<space::Vec3> read_points(const VtuArrays& arrays) {
-    const VtuArray& array = arrays.get("Points/Points", arrays.n_points(), 3, false);
-    if (array.type != "Float64") {
-        arrays.scanner().throw_bad_file(
-            array.line, "the points are " + array.type + ", too coarse for a proof; write Float64");
-    }
-    std::vector<space::Vec3> points;
-    for (std::size_t k = 0; k < array.size(); k += 3) {
-        points.emplace_back(array.values[k], array.values[k + 1], array.values[k + 2]);
-    }
-    return points;
-}
-
-/// The images that a file states for its points.
-class StatedImages {
-   public:
-    /// @throws BadFile  the images are not one for each point.
-    explicit StatedImages(const VtuArrays& arrays) : scanner_(arrays.scanner()) {
-        if (arrays.find("PointData/PeriodicPointIds") == nullptr) return;
-        orbits_ = &arrays.get("PointData/PeriodicPointIds", arrays.n_points(), 1, true);
-        offsets_ = &arrays.get("PointData/PeriodicOffset", arrays.n_points(), 3, true);
-    }
-
-    /// Returns the largest distance of a point from its image, in one coordinate, length units; 0
-    /// if the file states none.
-    double mismatch(const space::Lattice& lattice, const std::vector<space::Vec3>& points) const {
-        double largest = 0;
-        for (std::size_t v = 0; orbits_ != nullptr && v < points.size(); ++v) {
-            const int first = orbits_->integer(v);
-            if (first < 0 || std::cmp_greater_equal(first, points.size())) continue;
-            const space::Vec3 image = points[first] + lattice.translation(offset(v));
-            largest = std::max(largest, (image - points[v]).cwiseAbs().maxCoeff());
-        }
-        return largest;
-    }
-
-    /// Compares the images, if the file states any, with those of its points.
-    /// @throws BadFile  naming the point.
-    void compare(const std::vector<int>& orbits, const std::vector<space::Offset>& offsets) const {
-        for (std::size_t v = 0; orbits_ != nullptr && v < orbits.size(); ++v) {
-            if (orbits_->integer(v) == orbits[v] && offset(v) == offsets[v]) continue;
-            scanner_.throw_bad_file(
-                orbits_->lines[v],
-                "point " + std::to_string(v) + " is point " + std::to_string(orbits[v]) +
-                    " moved by " + in_words(offsets[v]) +
-                    ", and the file states another image; write the file again with pcvt");
-        }
-    }
-
-   private:
-    space::Offset offset(std::size_t v) const {
-        return {offsets_->integer(3 * v), offsets_->integer(3 * v + 1),
-                offsets_->integer(3 * v + 2)};
-    }
-
-    const XmlScanner& scanner_;
-    const VtuArray* orbits_ = nullptr;
-    const VtuArray* offsets_ = nullptr;
-};
-
-/// Reads the materials of cells.
-/// @param cell_of  the cell of each element: cell by cell, without a gap.
-CellMaterials read_materials(const VtuArrays& arrays, const std::vector<SiteId>& cell_of) {
-    CellMaterials materials;
-    const int n_cells = cell_of.empty() ? 0 : cell_of.back() + 1;
-    if (arrays.find("FieldData/PhaseNames") != nullptr) {
-        read_vtu_phases(arrays, "FieldData/SitePhases", n_cells, materials);
-    }
-    if (arrays.find(std::string(kOrientationArray)) == nullptr) return materials;
-    const VtuArray& angles = arrays.get(std::string(kOrientationArray), arrays.n_cells(), 3, false);
-    for (std::size_t e = 0; e < cell_of.size(); ++e) {
-        if (e > 0 && cell_of[e] == cell_of[e - 1]) continue;
-        const std::size_t k = 3 * e;
-        const BungeAngles of_cell{angles.values[k], angles.values[k + 1], angles.values[k + 2]};
-        try {
-            materials.site_orientation.push_back(checked_angles(of_cell));
-        } catch (const InvalidInput& fault) {
-            arrays.scanner().throw_bad_file(angles.lines[k], fault.what());
-        }
-    }
-    return materials;
 }
 
 /// Reads the arrays of polyhedra of one file.
@@ -167,7 +76,7 @@ class VtuPolyhedra {
         }
         std::vector<SiteId> cell_of(static_cast<std::size_t>(n_));
         std::iota(cell_of.begin(), cell_of.end(), 0);
-        tile.materials = read_materials(arrays_, cell_of);
+        tile.materials = read_vtu_materials(arrays_, cell_of);
         return tile;
     }
 
@@ -205,7 +114,7 @@ class VtuPolyhedra {
 
     space::PolyhedronList read_faces() const {
         space::PolyhedronList cells;
-        cells.points = read_points(arrays_);
+        cells.points = read_vtu_points(arrays_);
         const VtuArray& faces = arrays_.get("Cells/faces", -1, 1, true);
         const VtuArray& ends = arrays_.get("Cells/faceoffsets", n_, 1, true);
         const int most = static_cast<int>(cells.points.size());
@@ -274,106 +183,13 @@ class VtuPolyhedra {
 
 }  // namespace
 
-namespace {
-
-/// Compares the images that a file states for its nodes with those of a mesh in space.
-void compare_images(const VtuArrays& arrays, const ElementMesh& mesh) {
-    std::vector<space::Offset> offsets;
-    for (std::size_t k = 0; k < mesh.offsets.size(); k += 3) {
-        offsets.push_back({mesh.offsets[k], mesh.offsets[k + 1], mesh.offsets[k + 2]});
-    }
-    StatedImages(arrays).compare(mesh.orbit, offsets);
-}
-
-/// Requires numbers from `least` to n - 1.
-void require_numbers(const VtuArrays& arrays, const VtuArray& numbers, int n, int least = 0) {
-    for (std::size_t v = 0; v < numbers.size(); ++v) {
-        const int number = numbers.integer(v);
-        if (number >= least && number < n) continue;
-        arrays.scanner().throw_bad_file(numbers.lines[v],
-                                        std::to_string(number) + " is not a number from 0 to " +
-                                            std::to_string(n - 1) + "; correct it");
-    }
-}
-
-/// Reads the sites of points or, of tetrahedra inside of cells, those of the cells, and numbers the
-/// nodes by the orbits of points.
-void read_point_sites(const VtuArrays& arrays, space::TetrahedralMesh& mesh) {
-    const int n = mesh.n_points();
-    if (arrays.find("CellData/CellId") == nullptr) {
-        // Nodes in the middle of edges have no site.
-        const VtuArray& sites = arrays.get("PointData/CellId", n, 1, true);
-        require_numbers(arrays, sites, n, -1);
-        for (std::size_t v = 0; v < sites.size(); ++v) mesh.point_site.push_back(sites.integer(v));
-        return;
-    }
-    const VtuArray& cells = arrays.get("CellData/CellId", arrays.n_cells(), 1, true);
-    require_numbers(arrays, cells, arrays.n_cells());
-    for (std::size_t t = 0; t < cells.size(); ++t) mesh.cell.push_back(cells.integer(t));
-    const VtuArray& orbits = arrays.get("PointData/PeriodicPointIds", n, 1, true);
-    require_numbers(arrays, orbits, n);
-    std::vector<int> numbers(mesh.points.size(), -1);
-    int n_nodes = 0;
-    for (std::size_t v = 0; v < orbits.size(); ++v) {
-        int& number = numbers[orbits.integer(v)];
-        if (number < 0) number = n_nodes++;
-        mesh.point_site.push_back(number);
-    }
-}
-
-}  // namespace
-
 bool holds_vtu_polyhedra(const EncodedFile& vtu) {
     return vtu.bytes.find("Name=\"faceoffsets\"") != std::string::npos;
-}
-
-bool holds_vtu_tetrahedra(const EncodedFile& vtu) {
-    const std::size_t at = vtu.bytes.find("Name=\"PeriodicLattice\"");
-    if (at == std::string::npos || holds_vtu_polyhedra(vtu)) return false;
-    const std::size_t begin = vtu.bytes.rfind('<', at);
-    const std::size_t end = vtu.bytes.find('>', at);
-    if (begin == std::string::npos || end == std::string::npos) return false;
-    return std::string_view(vtu.bytes).substr(begin, end - begin).find("NumberOfTuples=\"3\"") !=
-           std::string_view::npos;
 }
 
 SpaceTile decode_vtu_polyhedra(const EncodedFile& vtu, double tolerance) {
     refuse_binary(vtu.path, vtu.bytes, "export it as ASCII");
     return VtuPolyhedra(vtu).read(tolerance);
-}
-
-TetrahedralTile decode_vtu_tetrahedra(const EncodedFile& vtu) {
-    refuse_binary(vtu.path, vtu.bytes, "export it as ASCII");
-    const VtuArrays arrays(vtu.path, vtu.bytes, std::array{kOrientationArray});
-    const int n = arrays.n_points();
-    if (arrays.n_cells() == 0 || n == 0) {
-        throw BadFile(vtu.path + ": holds no tetrahedron; give the whole file");
-    }
-    TetrahedralTile tile{.mesh = {.lattice = read_vtu_lattice<space::Lattice>(arrays),
-                                  .points = read_points(arrays)}};
-    space::TetrahedralMesh& mesh = tile.mesh;
-    FileTetrahedra found{.name = vtu.path};
-    found.elements =
-        read_vtu_cells(arrays, {ElementKind::kTetrahedron4, ElementKind::kTetrahedron10});
-    const VtuArray& corners = arrays.get("Cells/connectivity", -1, 1, true);
-    for (int t = 0; t < found.elements.size(); ++t) {
-        found.lines.push_back(corners.lines[found.elements.nodes.begin[t]]);
-    }
-    read_point_sites(arrays, mesh);
-    place_tetrahedra(found, mesh);
-    if (std::find(mesh.point_site.begin(), mesh.point_site.end(), -1) != mesh.point_site.end()) {
-        throw BadFile(vtu.path + ": a point has no site; write the file again with pcvt");
-    }
-    find_point_offsets(vtu.path, mesh);
-    compare_images(arrays, element_mesh(mesh));
-    require_sorted_cells(vtu.path, mesh);
-    tile.materials = read_materials(arrays, mesh.cell);
-    return tile;
-}
-
-void compare_vtu_tetrahedra(const EncodedFile& vtu, const TetrahedralTile& tile) {
-    if (vtu.bytes.find(kTetrahedraVtuMark) == std::string::npos) return;
-    require_same_bytes({vtu}, encode_vtu(vtu_grid(tile.mesh, &tile.materials), vtu.path));
 }
 
 }  // namespace pcvt

@@ -64,8 +64,7 @@ std::string prove_tetrahedral_tile(const EncodedFile& file, double tolerance) {
     const std::string of = mesh.cell.empty() ? " of " + counted(proof.n_sites, "site")
                                              : " in " + counted(mesh.cell.back() + 1, "cell") +
                                                    " on " + counted(proof.n_sites, "node");
-    return std::to_string(mesh.n_tetrahedra()) + of +
-           (mesh.order == 2 ? " of order 2, " : ", ") +
+    return std::to_string(mesh.n_tetrahedra()) + of + (mesh.order == 2 ? " of order 2, " : ", ") +
            std::to_string(2 * proof.pairs.size()) + " boundary triangles in " +
            std::to_string(proof.pairs.size()) + " pairs, periodic within " +
            in_words(proof.mismatch) + " (tolerance " + figure(proof.tolerance) +

@@ -58,8 +58,9 @@ std::string formats_help() {
                 (format.is_readable() ? "; pcvt check reads it" : "") + "\n";
     }
     text +=
-        "\nWith three period vectors .vtu and .foam hold polyhedra, .msh and, with --mesh "
-        "delaunay\nor grains, .vtu tetrahedra, .obj, .ply, .glb and .om surfaces, and .txt \"x y "
+        "\nWith three period vectors .vtu and .foam hold polyhedra, .msh, .inp and, with "
+        "--mesh delaunay\nor grains, .vtu tetrahedra, .obj, .ply, .glb and .om surfaces, and .txt "
+        "\"x y "
         "z\" "
         "a line.\n";
     return text + "\nExample:\n  pcvt mesh --sites 300 --mesh grains -o tile.msh -o tile.svg\n";

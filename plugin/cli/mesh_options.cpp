@@ -121,8 +121,8 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Output");
     app.add_option("--mesh", options.meshes,
                    "the faces, repeatable [voronoi]; grains: triangles inside of cells, in\n"
-                   "space tetrahedra (.msh, .vtu);\n"
-                   "in space delaunay: tetrahedra, which .msh holds without --mesh too;\n"
+                   "space tetrahedra (.msh, .inp, .vtu);\n"
+                   "in space delaunay: tetrahedra, which .msh and .inp hold without --mesh too;\n"
                    "with several, " +
                        mesh_suffixes() + " precede the extension")
         ->type_name("KIND")

@@ -41,6 +41,12 @@ std::string extensions_that_take(const FeatureRow& feature, bool in_space) {
     return text;
 }
 
+/// Whether a file of a job can hold nodes in the middle of edges.
+bool holds_middle_nodes(const JobFile& file, const Job& job) {
+    return job.is_in_space() ? file.format->space->shows_tetrahedra(job.meshes.front())
+                             : file.format->highest_order > 1;
+}
+
 /// Whether the elements in a file of a job lie in cells.
 bool elements_have_cells(const Job& job, const JobFile& file) {
     if (job.is_in_space()) return job.meshes.front() == plane::MeshKind::kGrains;
@@ -128,8 +134,8 @@ std::vector<std::string> require_all_writable(const Job& job, const std::vector<
 
 void check_order(const Job& job, const std::vector<JobFile>& files) {
     if (job.tile.order == 1 || files.empty()) return;
-    const bool held = std::any_of(files.begin(), files.end(), [](const JobFile& file) {
-        return file.format->highest_order > 1;
+    const bool held = std::any_of(files.begin(), files.end(), [&job](const JobFile& file) {
+        return holds_middle_nodes(file, job);
     });
     if (held) return;
     throw InvalidInput("no output holds the mid-side nodes of order 2; add one of " +

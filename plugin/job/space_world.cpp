@@ -89,7 +89,6 @@ std::optional<space::TetrahedralMesh> build_tetrahedra(const space::Tessellation
     if (are_grains) {
         SpaceGrains grains = build_space_grains(job, cells, monitor);
         summary.space_grains = grains.figures;
-        grains.tetrahedra.order = job.tile.order;
         return std::move(grains.tetrahedra);
     }
     const space::PeriodicDelaunay& delaunay = cells.delaunay;
@@ -97,12 +96,13 @@ std::optional<space::TetrahedralMesh> build_tetrahedra(const space::Tessellation
     space::TetrahedralMesh mesh =
         cells.elongation ? space::tetrahedral_mesh({cells.sites(), delaunay.tetrahedra}, origin)
                          : tetrahedral_mesh(delaunay, origin);
-    mesh.order = job.tile.order;
     const std::vector<int> flat = flat_tetrahedra(mesh, delaunay.sites.n_sites());
     if (flat.empty()) return mesh;
     throw InvalidInput("-o " + file->path() + ": " + flat_in_words(mesh, flat) +
                        "; move the sites a little, or leave " + file->path() + " out");
 }
+
+void set_order(space::TetrahedralMesh& mesh, int order) { mesh.order = order; }
 
 /// Requires that the boundary is a closed surface, if a file shows it.
 void require_closed_boundary(const Job& job, const std::vector<JobFile>& files,
@@ -132,17 +132,6 @@ void require_materials_held(const Job& job, const std::vector<JobFile>& files) {
     throw InvalidInput(
         "Delaunay tetrahedra are not cells, which phases and orientations belong to; take --mesh "
         "grains, or add .csv or .vti");
-}
-
-/// Requires a file of tetrahedra for nodes in the middle of their edges.
-void require_order_held(const Job& job, const std::vector<JobFile>& files) {
-    if (job.tile.order == 1 || files.empty()) return;
-    const bool is_held = std::any_of(files.begin(), files.end(), [&](const JobFile& file) {
-        return file.format->space->shows_tetrahedra(job.meshes.front());
-    });
-    if (is_held) return;
-    throw InvalidInput("no output holds the mid-side nodes of order 2; add one of " +
-                       tetrahedra_extensions() + " with --mesh grains, or take order 1");
 }
 
 /// What the files of a job hold.
@@ -238,7 +227,7 @@ void elongate(const space::Metric& metric, const space::Lattice& lattice,
 
 void SpaceWorld::check_files(const Job& job, const std::vector<JobFile>& files,
                              const std::vector<std::string>& phases) {
-    require_order_held(job, files);
+    check_order(job, files);
     check_file_options(job, files, phases);
     require_materials_held(job, files);
 }
@@ -347,6 +336,7 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
     const space::PeriodicDelaunay& delaunay = computation.cells.delaunay;
     std::optional<space::TetrahedralMesh> tetrahedra =
         build_tetrahedra(computation.cells, job, files, monitor, summary);
+    if (tetrahedra) set_order(*tetrahedra, job.tile.order);
     const ProvedSpaceTile& built = tiles(monitor);
     summary.n_sites = delaunay.sites.n_sites();
     summary.energy_bound =

@@ -167,6 +167,20 @@ def check_calculix(folder, text):
     require(20 / 11 * stress < mean < 5.5 * stress, f"S_xx of two materials is {mean}")
 
 
+def check_crystals(folder, text):
+    require_files(folder, "crystals.inp", "crystals.dat")
+    rows = [line.split() for line in text.splitlines() if re.match(r"(xx|yy|zz|yz|xz|xy) ", line)]
+    require([row[0] for row in rows] == ["xx", "yy", "zz", "yz", "xz", "xy"], f"the rows are {rows}")
+    stiffness = [[float(word) for word in row[1:]] for row in rows]
+    require(all(math.isclose(stiffness[i][j], stiffness[j][i], rel_tol=1e-4, abs_tol=10) for i in range(6) for j in range(6)),
+            "the stiffness is not symmetric")
+    # Bounds of iron over all orientations: C11, C12, C44 are 231400, 134700, 116400.
+    for name, bulk, shear in (("Voigt", (231400 + 2 * 134700) / 3, 89180), ("Reuss", (231400 + 2 * 134700) / 3, 74473)):
+        found = re.search(rf"by {name}: K (\S+), G (\S+)$", text, re.M)
+        require_near(float(found[1]), bulk, 1e-3, f"the bulk modulus by {name}")
+        require(74473 * 0.98 < float(found[2]) < 89180 * 1.02, f"the shear modulus by {name} is {found[2]}, not near {shear}")
+
+
 def check_stresses(folder, text):
     require_files(folder, "stress.svg", "phases.frd")
     require("von Mises stress" in (folder / "stress.svg").read_text(), "no scale")
@@ -474,6 +488,7 @@ ROWS = {
     ("Materials in space", "Laguerre cells of balls"): Row(check_balls),
     ("Materials in space", "Colours"): Row(check_colours_in_space),
     ("Materials in space", "Voxels for DAMASK"): Row(check_space_voxels),
+    ("Materials in space", "Stiffness of a polycrystal"): Row(check_crystals, programs=("ccx",)),
     ("Your own data", ""): Row(),
     ("Your own data", "Your own points"): Row(check_own_points),
     ("Your own data", "Grains of measured sizes"): Row(check_measured_sizes),

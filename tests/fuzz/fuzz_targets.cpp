@@ -129,7 +129,7 @@ std::vector<std::vector<EncodedFile>> space_files(const char* path) {
         const space::Lattice cube = space::Lattice::box(1, 1, 1);
         const space::Sites sites(cube, uniform_points(cube, 3, 1));
         sets.push_back(
-            format.encode_tetrahedra(tetrahedral_mesh(space::periodic_delaunay(sites)), path));
+            format.encode_tetrahedra(tetrahedral_mesh(space::periodic_delaunay(sites)), {}, path));
     }
     return sets;
 }

@@ -27,6 +27,8 @@ std::span<const MutatedFormat> mutated_formats() {
                       harmless_in_space()},
         MutatedFormat{"space_msh", ".msh", space_base_files, space_refusal, msh_mutants,
                       harmless_in_space()},
+        MutatedFormat{"space_inp", ".inp", space_base_files, space_refusal, inp_mutants,
+                      harmless_in_space()},
         MutatedFormat{"space_obj", ".obj", space_base_files, space_refusal, obj_mutants,
                       harmless_in_space()},
         MutatedFormat{"space_ply", ".ply", space_base_files, space_refusal, ply_mutants,

@@ -5,6 +5,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/space/mesh/elongated_cells.hpp"
 #include "tests/support/space_tiles.hpp"
+#include "tests/support/tetrahedra_files.hpp"
 
 namespace pcvt::testing {
 namespace {
@@ -63,7 +64,7 @@ void add_elongated(const SpaceFormat& format, const SpaceCase& c, const std::str
 /// Adds cells with phases and orientations, and power cells with their weights.
 void add_materials(const SpaceFormat& format, const SpaceCase& c, const std::string& path,
                    std::vector<BaseFile>& bases) {
-    if (!format.states_materials) return;
+    if (!format.states_materials || format.encode == nullptr) return;
     SpaceTile tile = tile_of(c);
     tile.materials = some_materials(5);
     bases.push_back(
@@ -92,8 +93,17 @@ void add_tetrahedra(const SpaceFormat& format, const SpaceCase& c, const std::st
     const space::TetrahedralMesh mesh = tetrahedral_mesh(delaunay);
     // Some tetrahedra of exact lattices are flat.
     if (!flat_tetrahedra(mesh, delaunay.sites.n_sites()).empty()) return;
-    bases.push_back(
-        {"tetrahedra " + c.name, plane::MeshKind::kDelaunay, format.encode_tetrahedra(mesh, path)});
+    bases.push_back({"tetrahedra " + c.name, plane::MeshKind::kDelaunay,
+                     format.encode_tetrahedra(mesh, {}, path)});
+}
+
+/// Adds ten-node tetrahedra inside of cells with phases and orientations.
+void add_grains(const SpaceFormat& format, const std::string& path, std::vector<BaseFile>& bases) {
+    space::TetrahedralMesh mesh = grain_tetrahedra(2);
+    mesh.order = 2;
+    const CellMaterials materials = some_materials(2);
+    bases.push_back({"materials of grains", plane::MeshKind::kGrains,
+                     format.encode_tetrahedra(mesh, {.materials = &materials}, path)});
 }
 
 /// Voxels with and without materials and weights, for which the tetrahedra are still regular.
@@ -149,6 +159,7 @@ std::vector<BaseFile> space_base_files(std::string_view extension) {
         if (c.name == "oblique") add_materials(format, c, path, bases);
         if (format.encode_tetrahedra != nullptr) add_tetrahedra(format, c, path, bases);
     }
+    if (format.encode_tetrahedra != nullptr) add_grains(format, path, bases);
     return bases;
 }
 

@@ -11,7 +11,7 @@ from support.random_inputs import (area_text, density_option, fixed_text, inclus
 
 PLANE_FORMATS = ("obj", "ply", "glb", "gltf", "om", "msh", "inp", "vtu", "svg", "png", "dxf", "html", "foam", "nc", "vti",
                  "csv", "txt")
-SPACE_FORMATS = ("vtu", "foam", "msh", "obj", "ply", "glb", "om", "svg", "png", "vti", "txt")
+SPACE_FORMATS = ("vtu", "foam", "msh", "inp", "obj", "ply", "glb", "om", "svg", "png", "vti", "txt")
 STEMS = ("t", "t", "t", "my tile", " two  blanks ", "Gitter-ä", "格子", "a;b", "it's", 'say "x"', "50%", "a#1", "(copy)",
          "v1.2", "new/folder/t", "T")
 COLOURS = ("sides", "size", "cells")
@@ -332,7 +332,7 @@ def space_volumes(job):
         law = job.input("volumes.txt", area_text(draw, job.n_sites, not job.is_sound))
     job.add("--sites", job.n_sites, "--seed", draw.randrange(1000))
     job.add("--volumes", law, "--max-iterations", draw.choice((0, 1, 5)))
-    job.leave_out("msh", "om")
+    job.leave_out("msh", "inp", "om")
 
 
 def space_cells(job):
@@ -343,11 +343,14 @@ def space_cells(job):
     if job.often(0.15):
         # Tetrahedra inside of flat cells take minutes.
         is_small = job.n_sites <= 8 and job.is_round and "--input" not in job.words
-        job.add("--mesh", job.pick(("delaunay", "grains") if is_small else ("delaunay",), ("voronoi",)))
+        mesh = job.pick(("delaunay", "grains") if is_small else ("delaunay",), ("voronoi",))
+        job.add("--mesh", mesh)
+        if mesh == "grains" and job.often(0.5):
+            job.add(*job.pick((("--order", "2", "-o", "nodes.vtu"), ("--job", "elastic", "--material", "same", "-o", "job.inp"))))
         job.leave_out("foam", "obj", "ply", "glb", "om", "svg", "png")
     elif job.often(0.15):
         job.add("--short-edges", job.pick((0.02, 0.1), (0.3,)))
-        job.leave_out("msh", "obj", "ply", "glb", "om")
+        job.leave_out("msh", "inp", "obj", "ply", "glb", "om")
     if job.often(0.1):
         job.add("--stability")
 

@@ -183,6 +183,7 @@ class SpaceResult:
         voxels: Sequence[int] = (0, 0, 0),
         materials: Optional[_Constants] = None,
         colour: str = "default",
+        job: str = "none",
         **fields: float,
     ) -> None: ...
 

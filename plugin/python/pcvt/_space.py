@@ -90,9 +90,9 @@ class SpaceResult:
         return SpaceTile(self._handle, self._view())
 
     def write(self, path, *, mesh="voronoi", outline="whole", surface="cells", report=None, replace=False, progress=None,
-              voxels=(0, 0, 0), materials=None, colour="default", **fields):
+              voxels=(0, 0, 0), materials=None, colour="default", job="none", **fields):
         """Writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), pictures (.svg, .png), the boundary of the tile
-        (.om), the Delaunay tetrahedra (.msh, .vtu), the cells as voxels (.vti), a table of the cells (.csv)
+        (.om), tetrahedra (.msh, .inp, .vtu), the cells as voxels (.vti), a table of the cells (.csv)
         or the sites (.txt), by the extension. Either all files
         appear, complete and proved to be a periodic tile, or none. Ctrl-C ends the call soon.
 
@@ -105,7 +105,8 @@ class SpaceResult:
         replace     whether files that exist are replaced
         progress    called with a Progress ten times a second; a true return value cancels
         voxels      of .vti: the numbers along x, y and z; (0, 0, 0): about 16 along h
-        materials   of .vti: the elastic constants of the phases, as in the plane
+        materials   of .inp with job="elastic", and of .vti: the elastic constants of the phases, as in the plane
+        job         of .inp: none, or elastic: materials and steps, so that CalculiX runs the file
         colour      what the colours of .obj, .ply, .glb, .svg and .png show: faces, size, cells (neighbours differ),
                     phase or orientation (inverse pole figure along z of cubic crystals)
         fields      numbers of pcvt_write_options, by their names in pcvt.h
@@ -118,6 +119,7 @@ class SpaceResult:
                                         outline=choice("outline", outline, dimension=3),
                                         surface=choice("surface", surface, dimension=3),
                                         colour=choice("colour", colour, dimension=3),
+                                        job=choice("job", job, dimension=3),
                                         report=None if report is None else text("report", report))
         if materials is not None:
             options.materials = material_text(materials)

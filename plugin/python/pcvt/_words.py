@@ -26,6 +26,7 @@ CHOICES = {
         "mesh": {"voronoi": 0, "delaunay": 1, "grains": 2},
         "outline": {"whole": 0, "box": 1},
         "colour": {"default": 0, "size": 2, "cells": 3, "phase": 5, "faces": 8, "orientation": 9},
+        "job": {"none": 0, "elastic": 1},
         "surface": {"cells": 0, "boundary": 1},
     },
 }
@@ -34,8 +35,8 @@ CHOICES = {
 PLANE_ONLY = {
     "area_law", "areas", "background", "budget", "coriolis", "cut", "cut_width", "density", "density_data",
     "density_range", "density_source", "element", "fibres", "fixed", "fixed_sites", "float32", "glb_nodes",
-    "gltf_nodes", "grain_order", "grain_per_edge", "hole", "holes", "inclusions", "job", "n_areas", "n_fixed_sites",
-    "order", "per_edge", "pixels", "retry", "single_precision", "symmetry", "thickness", "wall_cells", "walls",
+    "gltf_nodes", "grain_per_edge", "hole", "holes", "inclusions", "n_areas", "n_fixed_sites",
+    "per_edge", "pixels", "retry", "single_precision", "symmetry", "thickness", "wall_cells", "walls",
 }
 
 # Fields of pcvt.h that state an option whose value is one number.

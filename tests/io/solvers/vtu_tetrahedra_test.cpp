@@ -36,7 +36,7 @@ TEST(VtuTetrahedra, InsideOfCellsAreGivenBackWithTheirCells) {
     const EncodedFile file = tetrahedra_vtu(mesh);
     ASSERT_EQ(space_file_kind({file}), SpaceFileKind::kTetrahedra);
     EXPECT_NO_THROW(prove_own_tetrahedra(file, mesh));
-    EXPECT_EQ(prove_tetrahedral_file(file).mesh.cell, mesh.cell);
+    EXPECT_EQ(prove_tetrahedral_file(file).tile.mesh.cell, mesh.cell);
     EncodedFile damaged = file;
     damaged.bytes = testing::exchanged(file.bytes, "\n0\n1\n", "\n1\n1\n");
     EXPECT_THAT(testing::fault_of_tetrahedra(damaged), HasSubstr("t.vtu:"));
@@ -57,8 +57,9 @@ TEST(VtuTetrahedra, IsRefusedWhereItStatesSomethingElse) {
                 HasSubstr("too coarse for a proof"));
     EXPECT_THAT(tetrahedra_vtu_fault("<PointData>", "<PointData >"),
                 HasSubstr("another line follows"));
-    EXPECT_THAT(tetrahedra_vtu_fault("\n10\n10\n", "\n14\n10\n"),
-                HasSubstr("the cells are not all tetrahedra (10); "));
+    EXPECT_THAT(
+        tetrahedra_vtu_fault("\n10\n10\n", "\n14\n10\n"),
+        HasSubstr("the cells are not all tetrahedra (10) or all quadratic tetrahedra (24); "));
     EXPECT_THAT(tetrahedra_vtu_fault("\n4\n8\n", "\n3\n8\n"),
                 HasSubstr("a tetrahedron here has 4 points, not 3; "));
     EXPECT_THAT(tetrahedra_vtu_fault("Name=\"PeriodicPointIds\" format=\"ascii\">\n0\n",

@@ -69,7 +69,7 @@ MISTAKES = [
     ("mesh --sites 9 --surface boundary", ["--surface is for three dimensions; leave it out, or give W,H,D"], 2),
     ("mesh --sites 9 --period 1,1,1 -o t.ojb", ["unknown extension .ojb", "did you mean .obj?"], 2),
     ("mesh --sites 9 --period 1,1,1 -o t.step", ["unknown extension .step; take one of .obj, .ply"], 2),
-    ("mesh --sites 9 --period 1,1,1 -o t.inp", [".inp does not support three dimensions; take .obj, .ply"], 2),
+    ("mesh --sites 9 --period 1,1,1 -o t.html", [".html does not support three dimensions; take .obj, .ply"], 2),
     ("mesh --sites 30 -o t.msh", ["no polygons", "take the mesh delaunay or grains"], 2),
     ("mesh --sites 30 -o t.obj -o t.obj", ["t.obj", "choose another name"], 2),
     ("mesh --input none.txt", ["none.txt"], 2),

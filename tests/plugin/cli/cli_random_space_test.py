@@ -24,7 +24,7 @@ MISTAKES = (
     (("--density", "1"), r"--density is not for three dimensions"),
     (("--sites", "0"), r"--sites 0|--sites.*exclude"),
     (("--tolerance", "-1"), r"--tolerance( -1)?: "),
-    (("-o", "b.inp"), r"-o b\.inp: \.inp does not support three dimensions"),
+    (("-o", "b.html"), r"-o b\.html: \.html does not support three dimensions"),
     (("--start", "coarsest"), r"--start coarsest: |--start is"),
     (("--surfaces", "cells"), r"--surfaces"),
 )

@@ -58,7 +58,7 @@ class Materials(CliTest):
                        "-o", "t.vtu")
 
     def test_formats_without_materials_are_named(self):
-        self.refuse(2, "no output takes phases; add one of .obj or .ply or .glb or .vtu", "mesh", "--sites", 6, *CUBE, "--phases",
+        self.refuse(2, "no output takes phases; add one of .obj or .ply or .glb or .msh or .inp or .vtu", "mesh", "--sites", 6, *CUBE, "--phases",
                        "a:0.5,b:0.5", "-o", "t.om")
 
 

@@ -243,12 +243,15 @@ class Surfaces(CliTest):
             self.assertNotEqual(tail, changed)
             self.write(name, head + mark + changed)
             self.refuse(2, rf"^{name}:\d+: ", "check", name)
-        # Power cells, removed edges, and phases beside a table of the cells.
-        self.succeed(*run, "--volumes", "lognormal:0.3", "--phases", "A:0.5,B:0.5", "-o", "p.vtu", "-o", "p.csv")
+        # Power cells, removed edges, phases and orientations.
+        self.succeed(*run, "--volumes", "lognormal:0.3", "--phases", "A:0.5,B:0.5", "--orientations", "random",
+                     "-o", "p.vtu", "-o", "p.csv", "-o", "p.msh", "-o", "p.inp")
         self.succeed(*run, "--short-edges", 0.05, "-o", "s.msh")
-        self.succeed("check", "p.vtu", "s.msh")
-        self.refuse(2, "^pcvt: tetrahedra state no phases and no orientations; add", *run, "--phases", "A:0.5,B:0.5",
-                    "-o", "q.vtu")
+        self.succeed("check", "p.vtu", "p.msh", "p.inp", "s.msh")
+        self.assertIn('"phase_A"', self.path("p.msh").read_text())
+        self.assertIn("*ORIENTATION,NAME=ORI_7", self.path("p.inp").read_text())
+        self.refuse(2, "^pcvt: Delaunay tetrahedra are not cells, which phases and orientations belong to; take --mesh grains",
+                    "mesh", "--sites", 8, *CUBE, "--mesh", "delaunay", "--phases", "A:0.5,B:0.5", "-o", "q.vtu")
         self.refuse(4, "^pcvt: grains of that size are more than pcvt holds", *run, "--size", 1e-4, "-o", "q.msh")
 
     def test_damage_is_found(self):
@@ -302,15 +305,41 @@ class Tetrahedra(CliTest):
 
     def test_mesh_names_what_the_files_hold(self):
         run = ("mesh", "--sites", 8, *CUBE)
-        self.refuse(2, r"^pcvt: -o t\.foam: the format holds no tetrahedra; take \.msh or \.vtu, or write the cells in a "
+        self.refuse(2, r"^pcvt: -o t\.foam: the format holds no tetrahedra; take \.msh, \.inp or \.vtu, or write the cells in a "
                        "run of their own$", *run, "--mesh", "delaunay", "-o", "t.vtu", "-o", "t.foam")
         self.refuse(2, r"^pcvt: -o t\.msh: the format holds the tetrahedra of --mesh delaunay; leave --mesh out$",
                     *run, "--mesh", "voronoi", "-o", "t.msh")
-        self.refuse(2, r"^pcvt: -o t\.obj: the format holds no tetrahedra; take \.msh or \.vtu", *run, "--mesh", "grains",
+        self.refuse(2, r"^pcvt: -o t\.obj: the format holds no tetrahedra; take \.msh, \.inp or \.vtu", *run, "--mesh", "grains",
                     "-o", "t.obj")
         self.refuse(2, "^pcvt: --mesh: one mesh a run in three dimensions; remove one$", *run, "--mesh", "voronoi",
                     "--mesh", "delaunay", "-o", "t.vtu")
         self.succeed(*run, "--mesh", "voronoi", "-o", "t.vtu", "-o", "t.obj")
+
+    def test_jobs_and_order_2_are_written_and_checked(self):
+        run = ("mesh", "--sites", 2, *CUBE, "--mesh", "grains", "--phases", "A:0.5,B:0.5", "--size", 0.5, "--force")
+        files = ("t.inp", "t.msh", "t.vtu")
+        for order in (1, 2):
+            out = self.succeed(*run, "--order", order, "--job", "elastic", "--material", "A:200,0.3", "--material", "B:10,0.4",
+                               *(word for name in files for word in ("-o", name)))
+            self.assertIn("material   A: E 200, nu 0.3\n", out)
+            for line in self.succeed("check", *files).splitlines():
+                self.assertEqual(" of order 2, " in line, order == 2, line)
+            text = self.path("t.inp").read_text()
+            self.assertEqual(re.findall(r"TYPE=(C3D\d+)", text), ["C3D4" if order == 1 else "C3D10"])
+            self.assertEqual((text.count("*STEP"), text.count("*SURFACE,NAME=PHASE_")), (6, 2))
+        for old, new in (("*SURFACE,NAME=PHASE_A_TO_B,TYPE=ELEMENT\n", "*SURFACE,NAME=PHASE_A_TO_B,TYPE=ELEMENT\n1,S1\n1,S1\n"),
+                         ("*NSET,NSET=TRIPLE_LINES\n", "*NSET,NSET=TRIPLE_LINES\n43,\n"),
+                         ("\n*ELSET,ELSET=PHASE_A", "\n5\n*ELSET,ELSET=PHASE_A"), ("MATERIAL=A\n", "MATERIAL=B\n"),
+                         ("** pcvt site_phases 1 0", "** pcvt site_phases 0 1"), ("** pcvt lattice 1 ", "** pcvt lattice 2 ")):
+            with self.subTest(old):
+                self.assertTrue(old in text)
+                self.write("t.inp", text.replace(old, new, 1))
+                self.refuse(2, r"^t\.inp:(\d+:)? ", "check", "t.inp")
+        self.refuse(2, "--job elastic would give the phases A, B the same elastic constants", *run, "--job", "elastic",
+                    "-o", "t.inp")
+        self.refuse(2, r"no output takes a job of a solver; add one of \.inp", *run, "--job", "elastic", "-o", "t.vtu")
+        self.refuse(2, r"no output holds the mid-side nodes of order 2; add one of \.msh, \.inp, \.vtu", *run, "--order", 2,
+                    "-o", "t.csv")
 
     def test_damage_is_found(self):
         self.succeed("mesh", "--sites", 20, *CUBE, "-o", "t.msh")
@@ -404,9 +433,9 @@ class Refusals(CliTest):
                     "mesh", "--sites", 8, *CUBE, "--solver", "newton")
 
     def test_formats_without_volumes(self):
-        for extension in ("inp", "nc", "dxf", "html"):
+        for extension in ("nc", "dxf", "html"):
             self.refuse(2, rf"^pcvt: -o t\.{extension}: \.{extension} does not support three dimensions; take \.obj, \.ply, \.glb, \.om, "
-                           r"\.msh, \.vtu, \.svg, \.png, \.foam, \.vti, \.csv or \.txt",
+                           r"\.msh, \.inp, \.vtu, \.svg, \.png, \.foam, \.vti, \.csv or \.txt",
                         "mesh", "--sites", 8, *CUBE, "-o", f"t.{extension}")
 
     def test_an_unknown_extension_is_called_unknown(self):

@@ -136,7 +136,7 @@ class SpaceVoxels(CliTest):
         self.refuse(4, "1024 x 1024 x 257 voxels are too many", *run, *CUBE, "--voxels", "1024,1024,257")
         self.refuse(2, r"no output takes a number of voxels; add one of \.vti", "mesh", "--sites", 12, *CUBE, "-o",
                     "t.vtu", "--voxels", "8,8,8")
-        self.refuse(2, r"no output takes elastic constants; add one of \.vti", "mesh", "--sites", 12, *CUBE, "-o",
+        self.refuse(2, r"no output takes elastic constants; add one of \.inp or \.vti", "mesh", "--sites", 12, *CUBE, "-o",
                     "t.vtu", "--material", "a:1,0.3")
         self.assertEqual(self.contents(), {})
 

@@ -75,7 +75,7 @@ class Refusals(unittest.TestCase):
                 (pcvt.ArgumentError, pcvt.mesh(10), "t.xyz", "unknown extension"),
                 (pcvt.ArgumentError, pcvt.mesh(10), "t.msh", "the format has no polygons"),
                 (pcvt.GeometryError, pcvt.mesh(10, max_iterations=0), "t.nc", ".* degrees"),
-                (pcvt.ArgumentError, solid, "t.inp", ".inp does not support"),
+                (pcvt.ArgumentError, solid, "t.nc", ".nc does not support"),
                 (pcvt.GeometryError, solid, "t.msh", r"\d+ tetrahedra of these sites are flat")):
             with self.subTest(path, kind=type(result)), self.assertRaisesRegex(error, f"^{path}: {fault}"):
                 result.write(path)

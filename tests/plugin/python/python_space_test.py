@@ -156,12 +156,18 @@ class Files(CliTest):
         result = pcvt.space(12)
         result.write(self.path("a.vtu"), mesh="delaunay", replace=True)
         self.assertEqual(self.contents(), of_command)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "the format holds no tetrahedra; take .msh or .vtu"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "the format holds no tetrahedra; take .msh, .inp or .vtu"):
             result.write(self.path("a.obj"), mesh="delaunay")
         self.succeed("mesh", "--sites", 12, "--period", "1,1,1", "--mesh", "grains", "--size", "0.2", "--quiet", "-o",
                      "a.vtu", "--force")
         of_command = self.contents()
         pcvt.space(12, grain_size=0.2).write(self.path("a.vtu"), mesh="grains", replace=True)
+        self.assertEqual(self.contents(), of_command)
+        self.succeed("mesh", "--sites", 2, "--period", "1,1,1", "--mesh", "grains", "--size", "0.5", "--order", "2", "--job",
+                     "elastic", "--quiet", "-o", "a.inp")
+        of_command = self.contents()
+        result = pcvt.mesh(2, period=(1, 1, 1), grain_size=0.5, grain_order=2)
+        result.write(self.path("a.inp"), mesh="grains", job="elastic", replace=True)
         self.assertEqual(self.contents(), of_command)
         with self.assertRaisesRegex(pcvt.ArgumentError, "mesh 'cubes' is unknown; take one of voronoi, delaunay, grains"):
             result.write(self.path("a.vtu"), mesh="cubes", replace=True)
@@ -233,7 +239,6 @@ class Mesh(CliTest):
     def test_arguments_for_the_plane_are_refused_by_name_at_once(self):
         shapes = (("circle", "a", 0.5, 0.5, 0.1), ("polygon", "b", ((0, 0), (0.1, 0), (0, 0.1))))
         for name, value in (("density", "1 + x"), ("density", lambda x, y: 1), ("density_range", (1, 2)),
-                            ("grain_order", 2),
                             ("grain_per_edge", 2), ("budget", 9), ("areas", "equal"),
                             ("areas", np.ones(9)), ("symmetry", "p2"),
                             ("walls", "x"), ("wall_cells", "half"), ("fixed", ((0, 0),)), ("inclusions", shapes),
@@ -286,8 +291,8 @@ class Refusals(CliTest):
 
     def test_formats_without_volumes(self):
         result = pcvt.space(3)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "inp does not support three dimensions; take .obj, .ply, .glb, .om, .msh, .vtu, .svg, .png, .foam, .vti, .csv or .txt"):
-            result.write(self.path("t.inp"))
+        with self.assertRaisesRegex(pcvt.ArgumentError, "html does not support three dimensions; take .obj, .ply, .glb, .om, .msh, .inp, .vtu, .svg, .png, .foam, .vti, .csv or .txt"):
+            result.write(self.path("t.html"))
 
 
 class Materials(CliTest):
