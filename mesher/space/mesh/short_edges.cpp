@@ -1,15 +1,13 @@
 #include "mesher/space/mesh/short_edges.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/portable/portable_angles.hpp"
 #include "mesher/portable/portable_functions.hpp"
 #include "mesher/space/mesh/polyhedron_graph.hpp"
+#include "mesher/space/mesh/shrunk_face.hpp"
 
 namespace pcvt::space {
 namespace {
@@ -25,41 +23,6 @@ constexpr double kLeastDepth = 1e-6;
 /// corner is at least.
 constexpr double kSharpCorner = 15;
 constexpr double kCornerGain = 1e-6;
-
-/// An edge from vertex `from` in the domain to an image of vertex `to`.
-struct ShortEdge {
-    double length;
-    int from;
-    VertexImage to;
-};
-
-/// Returns the corners of a face when an edge is shrunk to its first end: an image of `to` becomes
-/// one of `from`. Fewer than three are left of a face that vanishes.
-Corners shrunk(Corners corners, const ShortEdge& edge) {
-    for (VertexImage& corner : corners) {
-        if (corner.vertex == edge.to.vertex) {
-            corner = {edge.from, corner.offset - edge.to.offset};
-        }
-    }
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
-    return corners;
-}
-
-/// The sharpest corner of a face, degrees.
-template <class Position>
-double sharpest_corner(const Corners& corners, const Position& at) {
-    const std::size_t n = corners.size();
-    double sharpest = 180;
-    for (std::size_t k = 0; k < n; ++k) {
-        const Vec3 here = at(corners[k]);
-        const Vec3 ahead = at(corners[(k + 1) % n]) - here;
-        const Vec3 behind = at(corners[(k + n - 1) % n]) - here;
-        const double angle = portable_atan2(ahead.cross(behind).norm(), ahead.dot(behind));
-        sharpest = std::min(sharpest, angle * 180 / std::numbers::pi);
-    }
-    return sharpest;
-}
 
 /// A diagram that loses edges.
 class ShrinkingComplex {
