@@ -35,6 +35,13 @@ std::map<int, int> face_counts(const space::CellComplex& complex) {
     return counts;
 }
 
+space::TetrahedralMesh grain_tetrahedra(const Job& job, const space::Tessellation& cells,
+                                        JobMonitor& monitor, RunSummary& summary) {
+    SpaceGrains grains = build_space_grains(job, cells, monitor);
+    summary.space_grains = grains.figures;
+    return std::move(grains.tetrahedra);
+}
+
 /// @throws InvalidInput  a tetrahedron is flat.
 space::TetrahedralMesh delaunay_tetrahedra(const Job& job, const space::Tessellation& cells,
                                            const std::string& path) {
@@ -110,14 +117,8 @@ std::optional<space::TetrahedralMesh> build_tetrahedra(const Job& job,
     monitor.begin(Phase::kBuilding, "building the tetrahedra");
     const std::optional<space::Tessellation> all = all_periods(job, one_period);
     const space::Tessellation& cells = all ? *all : one_period;
-    space::TetrahedralMesh mesh;
-    if (are_grains) {
-        SpaceGrains grains = build_space_grains(job, cells, monitor);
-        summary.space_grains = grains.figures;
-        mesh = std::move(grains.tetrahedra);
-    } else {
-        mesh = delaunay_tetrahedra(job, cells, file->path());
-    }
+    space::TetrahedralMesh mesh = are_grains ? grain_tetrahedra(job, cells, monitor, summary)
+                                             : delaunay_tetrahedra(job, cells, file->path());
     mesh.order = job.tile.order;
     return mesh;
 }
