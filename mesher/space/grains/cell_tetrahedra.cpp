@@ -211,7 +211,7 @@ void CellTetrahedra::link(const Side& s) {
 void CellTetrahedra::replace(std::span<const int> old, std::span<const FourCorners> fresh,
                              const HullChange& hull) {
     const std::size_t most_sides = 4 * (old.size() + fresh.size()) + hull.come.size();
-    if (slots_.size() < 2 * most_sides) slots_.assign(std::bit_ceil(4 * most_sides), {});
+    if (2 * slots_.size() < 3 * most_sides) slots_.assign(std::bit_ceil(2 * most_sides), {});
     ++n_replacements_;
     ++now_;
     n_waiting_ = 0;
@@ -231,6 +231,23 @@ void CellTetrahedra::replace(std::span<const int> old, std::span<const FourCorne
     if (n_waiting_ != 0) {
         throw InternalError("tetrahedra of a cell were replaced by others of another hull");
     }
+}
+
+void CellTetrahedra::release_memory() {
+    slots_ = {};
+    points_.shrink_to_fit();
+    sizes_.shrink_to_fit();
+    one_at_.shrink_to_fit();
+    corners_.shrink_to_fit();
+    neighbours_.shrink_to_fit();
+    quality_.shrink_to_fit();
+    alive_.shrink_to_fit();
+    marks_.shrink_to_fit();
+    free_.shrink_to_fit();
+    fresh_.shrink_to_fit();
+    changes_.shrink_to_fit();
+    vertex_failures_.shrink_to_fit();
+    failures_.shrink_to_fit();
 }
 
 int CellTetrahedra::add_vertex(const Vec3& at, double size) {

@@ -104,6 +104,9 @@ class CellTetrahedra {
     }
     void note_failure(TetrahedronSearch what, int t) { failures_[t][what] = now_; }
 
+    /// Gives memory back that only changes need; further changes take it again.
+    void release_memory();
+
     /// A mark for each tetrahedron, 0 between calls.
     std::vector<char>& marks() const { return marks_; }
 
@@ -143,10 +146,10 @@ class CellTetrahedra {
     /// replacement have another number.
     struct Slot {
         Side side;
-        long replacement;
+        int replacement;
     };
     std::vector<Slot> slots_;
-    long n_replacements_ = 0;
+    int n_replacements_ = 0;
     std::size_t n_waiting_ = 0;
     /// The number of changes, and for each vertex that of the last one of its star.
     int now_ = 1;

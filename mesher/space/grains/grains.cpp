@@ -50,8 +50,13 @@ class GrainFilling {
                 {SharpFeature::Kind::kFlatCell, flat.cell, complex_.sites[flat.cell], flat.angle});
             std::fill(sharp.near[flat.cell].begin(), sharp.near[flat.cell].end(), 1);
         }
-        for (std::size_t c = 0; c < cells_.size(); ++c)
-            add_angles(cells_[c], sharp.near[c], grains);
+        std::vector<Angles> angles(cells_.size());
+        workers_.for_each(complex_.n_cells,
+                          [&](int c) { angles[c] = angles_of(cells_[c], sharp.near[c]); });
+        for (const Angles& some : angles) {
+            grains.angles.add(some.away);
+            grains.angles_at_features.add(some.at_features);
+        }
         grains.sharp_features = std::move(sharp.features);
         report(1);
         return grains;
@@ -88,17 +93,23 @@ class GrainFilling {
         });
     }
 
-    static void add_angles(const CellTetrahedra& cell, const std::vector<char>& near,
-                           Grains& grains) {
+    struct Angles {
+        DihedralRange away = {};
+        DihedralRange at_features = {};
+    };
+
+    static Angles angles_of(const CellTetrahedra& cell, const std::vector<char>& near) {
+        Angles angles;
         for (int t = 0; t < cell.n_numbers(); ++t) {
             if (!cell.is_alive(t)) continue;
             const FourCorners& c = cell.corners(t);
             const bool at_feature = std::any_of(
                 c.begin(), c.end(), [&](int v) { return v < cell.n_hull() && near[v] != 0; });
-            (at_feature ? grains.angles_at_features : grains.angles)
+            (at_feature ? angles.at_features : angles.away)
                 .add(dihedral_range(cell.point(c[0]), cell.point(c[1]), cell.point(c[2]),
                                     cell.point(c[3])));
         }
+        return angles;
     }
 
     const CellComplex& complex_;
