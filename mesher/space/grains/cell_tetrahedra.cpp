@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -12,6 +13,8 @@ namespace {
 
 constexpr int kMostTetrahedronSteps = 3000;
 constexpr FourCorners kNoNeighbours{-1, -1, -1, -1};
+/// Twice kFlatTetrahedron of the proof, whose points have other roundings.
+constexpr double kFlat = 2e-9;
 /// Side::k of a side whose other side was found.
 constexpr int kLinked = -2;
 
@@ -63,6 +66,18 @@ double CellTetrahedra::worst() const {
         if (is_alive(t)) least = std::min(least, quality_[t]);
     }
     return least;
+}
+
+bool CellTetrahedra::is_flat(int t) const {
+    const FourCorners& c = corners_[t];
+    double longest = 0;
+    for (int i = 0; i < 4; ++i) {
+        for (int k = 0; k < i; ++k) {
+            longest = std::max(longest, squared_distance(points_[c[i]], points_[c[k]]));
+        }
+    }
+    const double volume6_of_t = volume6(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]);
+    return !(volume6_of_t > 6 * kFlat * longest * std::sqrt(longest));
 }
 
 bool CellTetrahedra::has_corner(int t, int v) const {

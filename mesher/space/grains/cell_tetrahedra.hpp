@@ -63,6 +63,8 @@ class CellTetrahedra {
         const std::array<int, 3>& order = kOutward[k];
         return {c[order[0]], c[order[1]], c[order[2]]};
     }
+    /// Whether the volume is so small over the longest edge that proofs would refuse it.
+    bool is_flat(int t) const;
     bool has_corner(int t, int v) const;
     /// The index of a corner of a tetrahedron.
     int index_of(int t, int v) const;

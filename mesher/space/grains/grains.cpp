@@ -53,7 +53,9 @@ class GrainFilling {
         std::vector<Angles> angles(cells_.size());
         workers_.for_each(complex_.n_cells,
                           [&](int c) { angles[c] = angles_of(cells_[c], sharp.near[c]); });
-        for (const Angles& some : angles) {
+        for (int c = 0; c < complex_.n_cells; ++c) {
+            const Angles& some = angles[c];
+            if (some.is_flat) throw NarrowFeature(c);
             grains.angles.add(some.away);
             grains.angles_at_features.add(some.at_features);
         }
@@ -96,6 +98,7 @@ class GrainFilling {
     struct Angles {
         DihedralRange away = {};
         DihedralRange at_features = {};
+        bool is_flat = false;
     };
 
     static Angles angles_of(const CellTetrahedra& cell, const std::vector<char>& near) {
@@ -105,6 +108,7 @@ class GrainFilling {
             const FourCorners& c = cell.corners(t);
             const bool at_feature = std::any_of(
                 c.begin(), c.end(), [&](int v) { return v < cell.n_hull() && near[v] != 0; });
+            angles.is_flat |= cell.is_flat(t);
             (at_feature ? angles.at_features : angles.away)
                 .add(dihedral_range(cell.point(c[0]), cell.point(c[1]), cell.point(c[2]),
                                     cell.point(c[3])));
