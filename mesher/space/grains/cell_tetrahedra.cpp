@@ -248,6 +248,11 @@ void CellTetrahedra::replace(std::span<const int> old, std::span<const FourCorne
     }
 }
 
+void CellTetrahedra::scale(double factor) {
+    for (Vec3& p : points_) p *= factor;
+    for (double& size : sizes_) size *= factor;
+}
+
 void CellTetrahedra::release_memory() {
     slots_ = {};
     points_.shrink_to_fit();

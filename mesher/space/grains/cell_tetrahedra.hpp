@@ -106,6 +106,8 @@ class CellTetrahedra {
     }
     void note_failure(TetrahedronSearch what, int t) { failures_[t][what] = now_; }
 
+    /// Multiplies all positions.
+    void scale(double factor);
     /// Gives memory back that only changes need; further changes take it again.
     void release_memory();
 

@@ -1,6 +1,7 @@
 #include "mesher/space/grains/grains.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -18,13 +19,22 @@ constexpr double kFilledAgain = 0.3090169943749474;
 constexpr int kRelaxations = 3;
 constexpr int kMovesInRound = 2;
 
+CellComplex scaled(CellComplex complex, double factor) {
+    const Lattice& lattice = complex.reduced;
+    complex.reduced = Lattice(factor * lattice.a(), factor * lattice.b(), factor * lattice.c());
+    for (Vec3& p : complex.sites) p *= factor;
+    for (Vec3& p : complex.vertices) p *= factor;
+    return complex;
+}
+
 class GrainFilling {
    public:
-    GrainFilling(const CellComplex& complex, const GrainChoices& choices, Workers& workers)
-        : complex_(complex), choices_(choices), workers_(workers) {}
+    GrainFilling(const CellComplex& complex, const GrainChoices& choices, double size,
+                 Workers& workers)
+        : complex_(complex), choices_(choices), size_(size), workers_(workers) {}
 
     void run() {
-        CellSizes sizes = cell_sizes(complex_, choices_.size);
+        CellSizes sizes = cell_sizes(complex_, size_);
         sizes_ = std::move(sizes.sizes);
         flat_ = std::move(sizes.flat);
         surface_ = grain_surface(complex_, sizes_, workers_);
@@ -38,18 +48,22 @@ class GrainFilling {
         }
         // Flips have changed the triangles of hulls, but neither their points nor the order of
         // these.
+        hulls_ = {};
         hulls_ = cell_hulls(complex_, surface_);
         if (choices_.n_rounds > 0) fill_again();
     }
 
-    Grains result(const Sites& sites, const Vec3& origin) const {
-        Grains grains{.mesh = grain_mesh(sites, complex_, surface_, hulls_, cells_, origin)};
+    /// @param complex  the cells in units of length.
+    /// @param unit     the unit of the cells that were filled, length units.
+    Grains result(const Sites& sites, const CellComplex& complex, double unit, const Vec3& origin) {
         SharpFeatures sharp = sharp_features(complex_, surface_, hulls_);
         for (const FlatCell& flat : flat_) {
             sharp.features.push_back(
                 {SharpFeature::Kind::kFlatCell, flat.cell, complex_.sites[flat.cell], flat.angle});
             std::fill(sharp.near[flat.cell].begin(), sharp.near[flat.cell].end(), 1);
         }
+        for (SharpFeature& feature : sharp.features) feature.place *= unit;
+        Grains grains{.mesh = {.tetrahedra = {.lattice = sites.lattice()}}};
         std::vector<Angles> angles(cells_.size());
         workers_.for_each(complex_.n_cells,
                           [&](int c) { angles[c] = angles_of(cells_[c], sharp.near[c]); });
@@ -60,6 +74,8 @@ class GrainFilling {
             grains.angles_at_features.add(some.at_features);
         }
         grains.sharp_features = std::move(sharp.features);
+        scale(unit);
+        grains.mesh = grain_mesh(sites, complex, surface_, hulls_, cells_, origin);
         report(1);
         return grains;
     }
@@ -67,6 +83,14 @@ class GrainFilling {
    private:
     void report(double part) const {
         if (choices_.progress) choices_.progress(part);
+    }
+
+    void scale(double factor) {
+        for (SurfaceNode& node : surface_.nodes) node.position *= factor;
+        for (CellHull& hull : hulls_) {
+            for (Vec3& p : hull.points) p *= factor;
+        }
+        for (CellTetrahedra& cell : cells_) cell.scale(factor);
     }
 
     void fill() {
@@ -118,6 +142,7 @@ class GrainFilling {
 
     const CellComplex& complex_;
     const GrainChoices& choices_;
+    double size_;
     Workers& workers_;
     std::vector<double> sizes_;
     std::vector<FlatCell> flat_;
@@ -130,9 +155,13 @@ class GrainFilling {
 
 Grains mesh_grains(const Sites& sites, const CellComplex& complex, const GrainChoices& choices,
                    Workers& workers, const Vec3& origin) {
-    GrainFilling filling(complex, choices, workers);
+    // Shapes are measured by products of sixteen lengths, which are near to one in this unit. A
+    // power of two changes no bit.
+    const double unit = std::ldexp(1.0, std::ilogb(sites.spacing()));
+    const CellComplex in_unit = scaled(complex, 1 / unit);
+    GrainFilling filling(in_unit, choices, choices.size / unit, workers);
     filling.run();
-    return filling.result(sites, origin);
+    return filling.result(sites, complex, unit, origin);
 }
 
 }  // namespace pcvt::space
