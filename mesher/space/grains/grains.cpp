@@ -16,6 +16,9 @@ namespace {
 
 /// The sine of 18 degrees: cells below are filled again on their moved faces.
 constexpr double kFilledAgain = 0.3090169943749474;
+/// The sine of 13 degrees: cells below are improved in further rounds.
+constexpr double kImprovedAgain = 0.2249510543438650;
+constexpr int kMostFurtherRounds = 2;
 constexpr int kRelaxations = 3;
 constexpr int kMovesInRound = 2;
 
@@ -46,11 +49,7 @@ class GrainFilling {
             improve();
             report(0.5 + 0.4 * (round + 1) / choices_.n_rounds);
         }
-        // Flips have changed the triangles of hulls, but neither their points nor the order of
-        // these.
-        hulls_ = {};
-        hulls_ = cell_hulls(complex_, surface_);
-        if (choices_.n_rounds > 0) fill_again();
+        if (choices_.n_rounds > 0) finish();
     }
 
     /// @param complex  the cells in units of length.
@@ -108,6 +107,22 @@ class GrainFilling {
         shared.flip_edges();
         for (int k = 0; k < kMovesInRound; ++k) shared.move_nodes();
         workers_.for_each(complex_.n_cells, [&](int c) { climb(cells_[c], kRelaxations); });
+    }
+
+    /// Fills bad cells again, and improves all once more if one remains bad.
+    void finish() {
+        for (int round = 0;; ++round) {
+            // Flips have changed the triangles of hulls, but neither their points nor the order of
+            // these.
+            hulls_ = {};
+            hulls_ = cell_hulls(complex_, surface_);
+            fill_again();
+            const bool is_bad = std::any_of(
+                cells_.begin(), cells_.end(),
+                [](const CellTetrahedra& cell) { return cell.worst() < kImprovedAgain; });
+            if (round == kMostFurtherRounds || !is_bad) return;
+            improve();
+        }
     }
 
     void fill_again() {
