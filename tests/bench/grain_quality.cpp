@@ -12,6 +12,8 @@
 /// together over the time of one plain CGAL triangulation of as many random points as the mesh has
 /// nodes.
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -36,6 +38,13 @@ double seconds_by(clockid_t clock) {
 }
 
 double cpu_seconds() { return seconds_by(CLOCK_PROCESS_CPUTIME_ID); }
+
+/// The largest resident memory so far.
+long peak_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss * 1024;
+}
 
 struct Choices {
     std::string kind;
@@ -103,6 +112,7 @@ void measure(const Choices& choices, std::uint64_t seed) {
                                          space::ShrinkRule::kWideCorners);
     Workers workers(choices.n_threads);
     std::vector<double> times{cpu_seconds()};
+    const long memory = peak_bytes();
     const double wall = seconds_by(CLOCK_MONOTONIC);
     const space::Grains filled =
         mesh_grains(grains.sites, grains.complex,
@@ -110,6 +120,7 @@ void measure(const Choices& choices, std::uint64_t seed) {
                      .n_rounds = choices.n_rounds,
                      .progress = [&](double) { times.push_back(cpu_seconds()); }},
                     workers);
+    const long n_bytes = peak_bytes() - memory;
     const double wall_seconds = seconds_by(CLOCK_MONOTONIC) - wall;
     const space::TetrahedralMesh& mesh = filled.mesh.tetrahedra;
     const Quality quality = quality_of(mesh);
@@ -117,12 +128,13 @@ void measure(const Choices& choices, std::uint64_t seed) {
     const double rounds = times[times.size() - 2] - times[2];
     std::printf(
         "%-8s %5d %4llu  %6.0f  %5.2f %5.2f %5.2f %6.2f  %6.1f  %.3f  %7.3f %7.3f %7.3f  "
-        "%5.1f  wall %.3f  named %zu\n",
+        "%5.1f  %6.3f  %5zu  %5.0f\n",
         choices.kind.c_str(), grains.complex.n_cells, static_cast<unsigned long long>(seed),
         static_cast<double>(mesh.n_tetrahedra()) / grains.complex.n_cells, quality.smallest,
         filled.angles.smallest, quality.hundredth, quality.largest, quality.below_ten,
         quality.radius_ratio, times[1] - times[0], times[2] - times[1], rounds,
-        (times[times.size() - 2] - times[0]) / peer, wall_seconds, filled.sharp_features.size());
+        (times[times.size() - 2] - times[0]) / peer, wall_seconds, filled.sharp_features.size(),
+        static_cast<double>(n_bytes) / mesh.n_tetrahedra());
     std::fflush(stdout);
 }
 

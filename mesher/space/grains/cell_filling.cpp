@@ -125,7 +125,10 @@ int n_below(const CellTetrahedra& cell, double quality) {
 
 }  // namespace
 
-void climb(CellTetrahedra& cell, int n_relaxations) { Climb(cell).run(n_relaxations); }
+void climb(CellTetrahedra& cell, int n_relaxations) {
+    Climb(cell).run(n_relaxations);
+    cell.release_memory();
+}
 
 std::optional<CellTetrahedra> fill_cell(const CellHull& hull, double size) {
     const std::optional<Vec3> centre = kernel_point(hull);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -12,6 +13,8 @@ namespace {
 
 constexpr int kMostTetrahedronSteps = 3000;
 constexpr FourCorners kNoNeighbours{-1, -1, -1, -1};
+/// Twice kFlatTetrahedron of the proof, whose points have other roundings.
+constexpr double kFlat = 2e-9;
 /// Side::k of a side whose other side was found.
 constexpr int kLinked = -2;
 
@@ -63,6 +66,18 @@ double CellTetrahedra::worst() const {
         if (is_alive(t)) least = std::min(least, quality_[t]);
     }
     return least;
+}
+
+bool CellTetrahedra::is_flat(int t) const {
+    const FourCorners& c = corners_[t];
+    double longest = 0;
+    for (int i = 0; i < 4; ++i) {
+        for (int k = 0; k < i; ++k) {
+            longest = std::max(longest, squared_distance(points_[c[i]], points_[c[k]]));
+        }
+    }
+    const double volume6_of_t = volume6(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]);
+    return !(volume6_of_t > 6 * kFlat * longest * std::sqrt(longest));
 }
 
 bool CellTetrahedra::has_corner(int t, int v) const {
@@ -211,7 +226,7 @@ void CellTetrahedra::link(const Side& s) {
 void CellTetrahedra::replace(std::span<const int> old, std::span<const FourCorners> fresh,
                              const HullChange& hull) {
     const std::size_t most_sides = 4 * (old.size() + fresh.size()) + hull.come.size();
-    if (slots_.size() < 2 * most_sides) slots_.assign(std::bit_ceil(4 * most_sides), {});
+    if (2 * slots_.size() < 3 * most_sides) slots_.assign(std::bit_ceil(2 * most_sides), {});
     ++n_replacements_;
     ++now_;
     n_waiting_ = 0;
@@ -231,6 +246,28 @@ void CellTetrahedra::replace(std::span<const int> old, std::span<const FourCorne
     if (n_waiting_ != 0) {
         throw InternalError("tetrahedra of a cell were replaced by others of another hull");
     }
+}
+
+void CellTetrahedra::scale(double factor) {
+    for (Vec3& p : points_) p *= factor;
+    for (double& size : sizes_) size *= factor;
+}
+
+void CellTetrahedra::release_memory() {
+    slots_ = {};
+    points_.shrink_to_fit();
+    sizes_.shrink_to_fit();
+    one_at_.shrink_to_fit();
+    corners_.shrink_to_fit();
+    neighbours_.shrink_to_fit();
+    quality_.shrink_to_fit();
+    alive_.shrink_to_fit();
+    marks_.shrink_to_fit();
+    free_.shrink_to_fit();
+    fresh_.shrink_to_fit();
+    changes_.shrink_to_fit();
+    vertex_failures_.shrink_to_fit();
+    failures_.shrink_to_fit();
 }
 
 int CellTetrahedra::add_vertex(const Vec3& at, double size) {

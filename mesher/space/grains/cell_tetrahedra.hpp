@@ -63,6 +63,8 @@ class CellTetrahedra {
         const std::array<int, 3>& order = kOutward[k];
         return {c[order[0]], c[order[1]], c[order[2]]};
     }
+    /// Whether the volume is so small over the longest edge that proofs would refuse it.
+    bool is_flat(int t) const;
     bool has_corner(int t, int v) const;
     /// The index of a corner of a tetrahedron.
     int index_of(int t, int v) const;
@@ -104,6 +106,11 @@ class CellTetrahedra {
     }
     void note_failure(TetrahedronSearch what, int t) { failures_[t][what] = now_; }
 
+    /// Multiplies all positions.
+    void scale(double factor);
+    /// Gives memory back that only changes need; further changes take it again.
+    void release_memory();
+
     /// A mark for each tetrahedron, 0 between calls.
     std::vector<char>& marks() const { return marks_; }
 
@@ -143,10 +150,10 @@ class CellTetrahedra {
     /// replacement have another number.
     struct Slot {
         Side side;
-        long replacement;
+        int replacement;
     };
     std::vector<Slot> slots_;
-    long n_replacements_ = 0;
+    int n_replacements_ = 0;
     std::size_t n_waiting_ = 0;
     /// The number of changes, and for each vertex that of the last one of its star.
     int now_ = 1;

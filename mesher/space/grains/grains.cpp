@@ -1,6 +1,7 @@
 #include "mesher/space/grains/grains.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -15,16 +16,28 @@ namespace {
 
 /// The sine of 18 degrees: cells below are filled again on their moved faces.
 constexpr double kFilledAgain = 0.3090169943749474;
+/// The sine of 13 degrees: cells below are improved in further rounds.
+constexpr double kImprovedAgain = 0.2249510543438650;
+constexpr int kMostFurtherRounds = 2;
 constexpr int kRelaxations = 3;
 constexpr int kMovesInRound = 2;
 
+CellComplex scaled(CellComplex complex, double factor) {
+    const Lattice& lattice = complex.reduced;
+    complex.reduced = Lattice(factor * lattice.a(), factor * lattice.b(), factor * lattice.c());
+    for (Vec3& p : complex.sites) p *= factor;
+    for (Vec3& p : complex.vertices) p *= factor;
+    return complex;
+}
+
 class GrainFilling {
    public:
-    GrainFilling(const CellComplex& complex, const GrainChoices& choices, Workers& workers)
-        : complex_(complex), choices_(choices), workers_(workers) {}
+    GrainFilling(const CellComplex& complex, const GrainChoices& choices, double size,
+                 Workers& workers)
+        : complex_(complex), choices_(choices), size_(size), workers_(workers) {}
 
     void run() {
-        CellSizes sizes = cell_sizes(complex_, choices_.size);
+        CellSizes sizes = cell_sizes(complex_, size_);
         sizes_ = std::move(sizes.sizes);
         flat_ = std::move(sizes.flat);
         surface_ = grain_surface(complex_, sizes_, workers_);
@@ -36,26 +49,35 @@ class GrainFilling {
             improve();
             report(0.5 + 0.4 * (round + 1) / choices_.n_rounds);
         }
-        // Flips have changed the triangles of hulls, but neither their points nor the order of
-        // these.
-        hulls_ = cell_hulls(complex_, surface_);
-        if (choices_.n_rounds > 0) fill_again();
+        if (choices_.n_rounds > 0) finish();
     }
 
-    Grains result(const Sites& sites, const Vec3& origin) const {
-        Grains grains{.mesh = grain_mesh(sites, complex_, surface_, hulls_, cells_, origin)};
+    /// @param complex  the cells in units of length.
+    /// @param unit     the unit of the cells that were filled, length units.
+    Grains result(const Sites& sites, const CellComplex& complex, double unit, const Vec3& origin) {
         SharpFeatures sharp = sharp_features(complex_, surface_, hulls_);
         for (const FlatCell& flat : flat_) {
             sharp.features.push_back(
                 {SharpFeature::Kind::kFlatCell, flat.cell, complex_.sites[flat.cell], flat.angle});
             std::fill(sharp.near[flat.cell].begin(), sharp.near[flat.cell].end(), 1);
         }
-        for (std::size_t c = 0; c < cells_.size(); ++c)
-            add_angles(cells_[c], sharp.near[c], grains);
+        for (SharpFeature& feature : sharp.features) feature.place *= unit;
+        Grains grains{.mesh = {.tetrahedra = {.lattice = sites.lattice()}}};
+        std::vector<Angles> angles(cells_.size());
+        workers_.for_each(complex_.n_cells,
+                          [&](int c) { angles[c] = angles_of(cells_[c], sharp.near[c]); });
+        for (int c = 0; c < complex_.n_cells; ++c) {
+            const Angles& some = angles[c];
+            if (some.is_flat) throw NarrowFeature(complex_.site_of(c));
+            grains.angles.add(some.away);
+            grains.angles_at_features.add(some.at_features);
+        }
         grains.sharp_features = std::move(sharp.features);
         for (SharpFeature& feature : grains.sharp_features) {
             feature.cell = complex_.site_of(feature.cell);
         }
+        scale(unit);
+        grains.mesh = grain_mesh(sites, complex, surface_, hulls_, cells_, origin);
         report(1);
         return grains;
     }
@@ -63,6 +85,14 @@ class GrainFilling {
    private:
     void report(double part) const {
         if (choices_.progress) choices_.progress(part);
+    }
+
+    void scale(double factor) {
+        for (SurfaceNode& node : surface_.nodes) node.position *= factor;
+        for (CellHull& hull : hulls_) {
+            for (Vec3& p : hull.points) p *= factor;
+        }
+        for (CellTetrahedra& cell : cells_) cell.scale(factor);
     }
 
     void fill() {
@@ -82,6 +112,22 @@ class GrainFilling {
         workers_.for_each(complex_.n_cells, [&](int c) { climb(cells_[c], kRelaxations); });
     }
 
+    /// Fills bad cells again, and improves all once more if one remains bad.
+    void finish() {
+        for (int round = 0;; ++round) {
+            // Flips have changed the triangles of hulls, but neither their points nor the order of
+            // these.
+            hulls_ = {};
+            hulls_ = cell_hulls(complex_, surface_);
+            fill_again();
+            const bool is_bad = std::any_of(
+                cells_.begin(), cells_.end(),
+                [](const CellTetrahedra& cell) { return cell.worst() < kImprovedAgain; });
+            if (round == kMostFurtherRounds || !is_bad) return;
+            improve();
+        }
+    }
+
     void fill_again() {
         workers_.for_each(complex_.n_cells, [&](int c) {
             const double worst = cells_[c].worst();
@@ -91,21 +137,30 @@ class GrainFilling {
         });
     }
 
-    static void add_angles(const CellTetrahedra& cell, const std::vector<char>& near,
-                           Grains& grains) {
+    struct Angles {
+        DihedralRange away = {};
+        DihedralRange at_features = {};
+        bool is_flat = false;
+    };
+
+    static Angles angles_of(const CellTetrahedra& cell, const std::vector<char>& near) {
+        Angles angles;
         for (int t = 0; t < cell.n_numbers(); ++t) {
             if (!cell.is_alive(t)) continue;
             const FourCorners& c = cell.corners(t);
             const bool at_feature = std::any_of(
                 c.begin(), c.end(), [&](int v) { return v < cell.n_hull() && near[v] != 0; });
-            (at_feature ? grains.angles_at_features : grains.angles)
+            angles.is_flat |= cell.is_flat(t);
+            (at_feature ? angles.at_features : angles.away)
                 .add(dihedral_range(cell.point(c[0]), cell.point(c[1]), cell.point(c[2]),
                                     cell.point(c[3])));
         }
+        return angles;
     }
 
     const CellComplex& complex_;
     const GrainChoices& choices_;
+    double size_;
     Workers& workers_;
     std::vector<double> sizes_;
     std::vector<FlatCell> flat_;
@@ -118,9 +173,13 @@ class GrainFilling {
 
 Grains mesh_grains(const Sites& sites, const CellComplex& complex, const GrainChoices& choices,
                    Workers& workers, const Vec3& origin) {
-    GrainFilling filling(complex, choices, workers);
+    // Shapes are measured by products of sixteen lengths, which are near to one in this unit. A
+    // power of two changes no bit.
+    const double unit = std::ldexp(1.0, std::ilogb(sites.spacing()));
+    const CellComplex in_unit = scaled(complex, 1 / unit);
+    GrainFilling filling(in_unit, choices, choices.size / unit, workers);
     filling.run();
-    return filling.result(sites, origin);
+    return filling.result(sites, complex, unit, origin);
 }
 
 }  // namespace pcvt::space

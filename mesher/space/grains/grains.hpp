@@ -45,6 +45,20 @@ class FoldedCell : public LimitExceeded {
     SiteId site_;
 };
 
+/// A cell has a face so narrow that a tetrahedron beside it is flat.
+class NarrowFeature : public LimitExceeded {
+   public:
+    explicit NarrowFeature(SiteId site)
+        : LimitExceeded("the cell of site " + std::to_string(site) +
+                        " has a face so narrow that a tetrahedron beside it would be flat; remove "
+                        "short edges, or move the site"),
+          site_(site) {}
+    SiteId site() const { return site_; }
+
+   private:
+    SiteId site_;
+};
+
 /// Fills each cell with tetrahedra: triangulates each face once (grain_surface.hpp), fills the
 /// cells between these triangles one by one (cell_filling.hpp), and improves faces and cells
 /// together (shared_moves.hpp).
@@ -62,7 +76,7 @@ class FoldedCell : public LimitExceeded {
 ///
 /// @param complex  Voronoi cells or power cells, also without their short edges.
 /// @param origin   the corner of the domain, length units.
-/// @throws FoldedCell
+/// @throws FoldedCell, NarrowFeature
 Grains mesh_grains(const Sites& sites, const CellComplex& complex, const GrainChoices& choices,
                    Workers& workers, const Vec3& origin = Vec3::Zero());
 

@@ -215,39 +215,23 @@ class ShrinkingComplex {
         return true;
     }
 
-    /// The sharpest corner, degrees, of the faces at the ends of an edge, as they are.
-    double sharpest_before(const ShortEdge& edge) const {
+    /// The sharpest corner, degrees, of the faces at the ends of an edge: as they are, or where
+    /// the edge has shrunk to a point.
+    double sharpest_at(const ShortEdge& edge, const Vec3* end) const {
         double sharpest = 180;
         for (const SiteId cell : cells_at(edge)) {
             for (const Use& use : uses_[cell]) {
-                const Corners& corners = faces_[use.face];
-                const bool is_at_edge =
-                    std::any_of(corners.begin(), corners.end(), [&](const VertexImage& corner) {
-                        return corner.vertex == edge.from || corner.vertex == edge.to.vertex;
-                    });
-                if (!is_at_edge) continue;
-                sharpest = std::min(sharpest, sharpest_corner(corners, [&](const VertexImage& c) {
-                                        return position(c);
-                                    }));
-            }
-        }
-        return sharpest;
-    }
-
-    /// The same when the edge has shrunk to a point.
-    double sharpest_with(const ShortEdge& edge, const Vec3& end) const {
-        double sharpest = 180;
-        for (const SiteId cell : cells_at(edge)) {
-            for (const Use& use : uses_[cell]) {
-                const Corners corners = shrunk(faces_[use.face], edge);
+                const Corners& whole = faces_[use.face];
+                const Corners corners = end == nullptr ? whole : shrunk(whole, edge);
                 if (corners.size() < 3) continue;
-                const bool is_at_edge = std::any_of(
-                    corners.begin(), corners.end(),
-                    [&](const VertexImage& corner) { return corner.vertex == edge.from; });
-                if (!is_at_edge) continue;
-                sharpest = std::min(sharpest, sharpest_corner(corners, [&](const VertexImage& c) {
-                                        return position_with(edge, end, c);
-                                    }));
+                const auto is_end = [&](const VertexImage& corner) {
+                    return corner.vertex == edge.from || corner.vertex == edge.to.vertex;
+                };
+                if (std::none_of(corners.begin(), corners.end(), is_end)) continue;
+                const auto at = [&](const VertexImage& corner) {
+                    return end == nullptr ? position(corner) : position_with(edge, *end, corner);
+                };
+                sharpest = std::min(sharpest, sharpest_corner(corners, at));
             }
         }
         return sharpest;
@@ -260,9 +244,9 @@ class ShrinkingComplex {
             return may_remove(edge, half) ? std::optional<Vec3>(half) : std::nullopt;
         }
         std::optional<Vec3> best;
-        double widest = std::min(kSharpCorner, sharpest_before(edge) - kCornerGain);
+        double widest = std::min(kSharpCorner, sharpest_at(edge, nullptr) - kCornerGain);
         for (const Vec3& end : {half, positions_[edge.from], position(edge.to)}) {
-            const double sharpest = sharpest_with(edge, end);
+            const double sharpest = sharpest_at(edge, &end);
             if (!(sharpest > widest + kCornerGain) || !may_remove(edge, end)) continue;
             widest = sharpest;
             best = end;

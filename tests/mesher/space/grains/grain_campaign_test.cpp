@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <optional>
 
 #include "mesher/space/grains/grains.hpp"
 #include "mesher/space/proof/tetrahedral_proof.hpp"
@@ -44,6 +45,7 @@ TEST(GrainCampaign, EveryKindOfCellIsFilled) {
     const int n = is_full ? 30 : 3;
     int n_done = 0;
     int n_cases = 0;
+    int n_refused = 0;
     DihedralRange away;
     Workers workers(2);
     for (int seed = case_count("PCVT_GRAIN_SEED", 1); n_cases == 0 || n_done < n_cells; ++seed) {
@@ -52,8 +54,18 @@ TEST(GrainCampaign, EveryKindOfCellIsFilled) {
             if (!is_full && kind == "shifted") break;
             SCOPED_TRACE(kind + " seed " + std::to_string(seed));
             const GrainCase c = testing::grain_case(kind, n, static_cast<std::uint64_t>(seed));
-            const Grains grains = mesh_grains(
-                c.sites, c.complex, {.size = c.sites.spacing() / 1.5, .n_rounds = 1}, workers);
+            std::optional<Grains> filled;
+            try {
+                filled = mesh_grains(c.sites, c.complex,
+                                     {.size = c.sites.spacing() / 1.5, .n_rounds = 1}, workers);
+            } catch (const NarrowFeature& limit) {
+                // Only lattices whose sites moved by 1e-5 of their spacing and less.
+                EXPECT_EQ(kind, "shifted") << limit.what();
+                n_refused += c.complex.n_cells;
+                std::printf("%s seed %d: refused\n", kind.c_str(), seed);
+                continue;
+            }
+            const Grains& grains = *filled;
             expect_filled(grains, c.complex);
             if (is_full) {
                 std::printf("%s seed %d: %d cells, %d tetrahedra, %.2f degrees\n", kind.c_str(),
@@ -67,6 +79,7 @@ TEST(GrainCampaign, EveryKindOfCellIsFilled) {
     }
     RecordProperty("cells", n_done);
     RecordProperty("cases", n_cases);
+    RecordProperty("refused", n_refused);
     RecordProperty("smallest_angle_away_from_features", std::to_string(away.smallest));
 }
 
@@ -84,6 +97,7 @@ TEST(GrainQuality, AnglesAwayFromSharpFeaturesAreWide) {
                 c.sites, c.complex, {.size = c.sites.spacing() / (is_full ? 3 : 2)}, workers);
             EXPECT_GE(grains.angles.smallest, least);
             for (const SharpFeature& feature : grains.sharp_features) {
+                if (feature.kind == SharpFeature::Kind::kFlatCell) continue;
                 EXPECT_TRUE(feature.angle < kSharpAngle || feature.angle > 180 - kSharpAngle);
             }
         }

@@ -195,6 +195,20 @@ TEST(Grains, BytesDoNotDependOnThreads) {
     EXPECT_EQ(one.angles.smallest, three.angles.smallest);
 }
 
+/// Powers of two change no digit of a position, whatever the unit of length.
+TEST(Grains, KeepTheirDigitsInAnyUnit) {
+    const Points points = uniform_points(Lattice::box(1, 1, 1), 6, 2);
+    const Grains here = grains_of({"one", Lattice::box(1, 1, 1), points});
+    for (const double unit : {0x1p100, 0x1p-100}) {
+        const Grains there = grains_of({"scaled", Lattice::box(unit, unit, unit), unit * points});
+        ASSERT_EQ(here.mesh.tetrahedra.tetrahedra, there.mesh.tetrahedra.tetrahedra);
+        for (std::size_t p = 0; p < here.mesh.tetrahedra.points.size(); ++p) {
+            EXPECT_EQ(unit * here.mesh.tetrahedra.points[p], there.mesh.tetrahedra.points[p]);
+        }
+        EXPECT_EQ(here.angles.smallest, there.angles.smallest);
+    }
+}
+
 TEST(Grains, TranslationOfTheSitesByAPeriodChangesNothing) {
     const Lattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
     const Sites sites(oblique, uniform_points(oblique, 6, 9));
