@@ -1,6 +1,7 @@
 #include "mesher/plane/proof/glued_faces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -22,6 +23,9 @@ const char* const kHoleLaw = "(7), holes";
 /// More boundary edges without partners are not compared with each other: each pair takes some 20
 /// ns.
 constexpr std::size_t kMostCompared = 10000;
+
+/// Up to this many items are compared pair by pair, which takes less time than to sort them.
+constexpr std::size_t kFewItems = 12;
 
 /// A halfedge with the key that all images of its edge share.
 struct Side {
@@ -72,17 +76,27 @@ class FaceGluing {
         }
         while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
         const bool dropped = static_cast<int>(corners.size()) < tile_.face_size(f);
-        scratch_ = corners;
-        std::sort(scratch_.begin(), scratch_.end());
-        const auto twice = std::adjacent_find(scratch_.begin(), scratch_.end());
         if (dropped && precision_ == Precision::kDouble) {
             throw_violation(kFaceLaw,
                             "face " + to_string(f) + " has the same corner twice in a row");
         }
-        if (corners.size() >= 3 && twice != scratch_.end()) {
-            throw_violation(kFaceLaw, "face " + to_string(f) + " meets vertex " +
-                                          to_string(*twice) + " more than once");
+        if (corners.size() >= 3) require_different(f, corners);
+    }
+
+    void require_different(int f, const std::vector<int>& corners) {
+        if (corners.size() <= kFewItems) {
+            bool different = true;
+            for (std::size_t k = 1; k < corners.size(); ++k) {
+                for (std::size_t l = 0; l < k; ++l) different &= corners[k] != corners[l];
+            }
+            if (different) return;
         }
+        scratch_ = corners;
+        std::sort(scratch_.begin(), scratch_.end());
+        const auto twice = std::adjacent_find(scratch_.begin(), scratch_.end());
+        if (twice == scratch_.end()) return;
+        throw_violation(kFaceLaw, "face " + to_string(f) + " meets vertex " + to_string(*twice) +
+                                      " more than once");
     }
 
     Side side(int h) const {
@@ -123,6 +137,7 @@ class FaceGluing {
             [&](std::span<const int> halfedges) {
                 sides.clear();
                 for (const int h : halfedges) sides.push_back(side(h));
+                if (match_few(sides)) return;
                 std::sort(sides.begin(), sides.end());
                 match(sides);
             });
@@ -166,6 +181,27 @@ class FaceGluing {
             faces_.hole_edges.push_back({found->second, v, w});
         }
         std::sort(faces_.hole_edges.begin(), faces_.hole_edges.end());
+    }
+
+    /// Links few sides as match() does, without sorting them, if each of them has one partner,
+    /// which runs in the other direction; otherwise links none.
+    bool match_few(const std::vector<Side>& sides) {
+        if (sides.size() > kFewItems) return false;
+        std::array<std::size_t, kFewItems> partner;
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+            int n = 0;
+            for (std::size_t l = 0; l < sides.size(); ++l) {
+                if (l == k || !sides[l].same_edge(sides[k])) continue;
+                if (sides[l].reversed == sides[k].reversed) return false;
+                partner[k] = l;
+                ++n;
+            }
+            if (n != 1) return false;
+        }
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+            if (!sides[k].reversed) link(sides[k].halfedge, sides[partner[k]].halfedge);
+        }
+        return true;
     }
 
     /// @param sides  sorted, all sides of some edges.
