@@ -105,25 +105,32 @@ void require_materials(const std::string& name, const CellMaterials& materials,
     require_count(name, materials.site_orientation.size(), n_sites, "orientations");
 }
 
-CellMaterials shown_phases(const plane::Tile& tile, const std::vector<std::string>& materials) {
+CellMaterials shown_phases(const plane::Tile& tile, const std::vector<MaterialRun>& materials) {
     const std::string prefix = phase_group("");
-    if (tile.face_site.empty() || materials.size() != tile.face_site.size()) return {};
+    const int n_faces = tile.n_faces();
+    if (tile.face_site.empty() || std::ssize(tile.face_site) != n_faces) return {};
+    if (materials.empty() || materials.front().first_face > 0) return {};
     // An id of a site is at most the number of faces, so that a wrong one takes no memory.
     const SiteId last = *std::max_element(tile.face_site.begin(), tile.face_site.end());
     const SiteId first = *std::min_element(tile.face_site.begin(), tile.face_site.end());
     if (first < 0 || last >= tile.n_faces()) return {};
     CellMaterials shown{.site_phase = std::vector<int>(static_cast<std::size_t>(last) + 1, -1)};
-    for (std::size_t f = 0; f < materials.size(); ++f) {
-        if (!materials[f].starts_with(prefix)) return {};
-        const std::string name = materials[f].substr(prefix.size());
+    for (std::size_t k = 0; k < materials.size(); ++k) {
+        const int begin = materials[k].first_face;
+        const int end = k + 1 < materials.size() ? materials[k + 1].first_face : n_faces;
+        if (begin == end) continue;
+        if (!materials[k].name.starts_with(prefix)) return {};
+        const std::string name = materials[k].name.substr(prefix.size());
         auto found = std::find(shown.phase_names.begin(), shown.phase_names.end(), name);
         if (found == shown.phase_names.end()) {
             found = shown.phase_names.insert(found, name);
         }
         const int phase = static_cast<int>(found - shown.phase_names.begin());
-        int& of_site = shown.site_phase[tile.face_site[f]];
-        if (of_site >= 0 && of_site != phase) return {};
-        of_site = phase;
+        for (int f = begin; f < end; ++f) {
+            int& of_site = shown.site_phase[tile.face_site[f]];
+            if (of_site >= 0 && of_site != phase) return {};
+            of_site = phase;
+        }
     }
     const auto& phases = shown.site_phase;
     return std::find(phases.begin(), phases.end(), -1) == phases.end() ? shown : CellMaterials{};

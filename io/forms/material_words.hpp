@@ -33,15 +33,21 @@ bool take_material(const LineScanner& scanner, std::string_view key,
 void require_materials(const std::string& name, const CellMaterials& materials,
                        std::int64_t n_sites);
 
+/// Faces that follow each other, to the first one of the next run, with the material `name`.
+struct MaterialRun {
+    std::string name;
+    int first_face;
+};
+
 /// Returns the phases of the cells of sites 0 ... n - 1 that the names of materials show,
 /// `phase_steel` for the phase steel, as in files that are coloured by phase.
 ///
 /// Example usage:
-///     file.shown = shown_phases(file.tile, {"phase_soft", "phase_hard", "phase_soft"});
+///     file.shown = shown_phases(file.tile, {{"phase_soft", 0}, {"phase_hard", 20}});
 ///
-/// @param materials  the name of the material of each face.
-/// @returns  without phases where a material has another name, a site has no face, or two faces of
-///           a site have different materials.
-CellMaterials shown_phases(const plane::Tile& tile, const std::vector<std::string>& materials);
+/// @param materials  by rising first faces.
+/// @returns  without phases where a face has no material or one with another name, a site has no
+///           face, or two faces of a site have different materials.
+CellMaterials shown_phases(const plane::Tile& tile, const std::vector<MaterialRun>& materials);
 
 }  // namespace pcvt

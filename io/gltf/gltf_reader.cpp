@@ -46,8 +46,8 @@ struct Finding {
     std::vector<SiteId> face_site;
     /// One site per point; -1 where the file names none.
     std::vector<SiteId> vertex_site;
-    /// The name of the material of each face; "" where the file names none.
-    std::vector<std::string> materials;
+    /// The material of each primitive; "" where the file names none.
+    std::vector<MaterialRun> materials;
 
     const Json& periodic_member(const std::string& key) const {
         static const Json kNone;
@@ -135,8 +135,9 @@ void add_triangles(const Json& node, const Json& primitive, Finding& finding) {
         std::copy(sites.begin(), sites.end(),
                   finding.vertex_site.begin() + std::ptrdiff_t(range.first));
     }
+    const auto first_face = static_cast<int>(finding.face_site.size());
     add_faces(corners, cells, named_site(node), finding);
-    finding.materials.resize(finding.face_site.size(), document.material_name(primitive));
+    finding.materials.push_back({document.material_name(primitive), first_face});
     for (const int corner : corners)
         finding.corners.push_back(static_cast<int>(range.first) + corner);
     if (finding.corners.size() > kMaxVertices) document.throw_bad_file("too many triangles");

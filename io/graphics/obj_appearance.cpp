@@ -184,12 +184,11 @@ void require_material_file(const ObjAppearance& appearance, const std::string& p
 
 }  // namespace
 
-std::vector<std::string> material_names(const ObjAppearance& appearance, int n_faces) {
-    std::vector<std::string> names(static_cast<std::size_t>(n_faces));
-    for (const auto& [name, first] : appearance.materials) {
-        std::fill(names.begin() + first, names.end(), name);
-    }
-    return names;
+std::vector<MaterialRun> material_runs(const ObjAppearance& appearance) {
+    std::vector<MaterialRun> runs;
+    for (const auto& [name, first] : appearance.materials)
+        runs.push_back({std::string(name), first});
+    return runs;
 }
 
 void require_own_appearance(const plane::Tile& tile, const ObjAppearance& appearance,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/bytes/encoded_file.hpp"
+#include "io/forms/material_words.hpp"
 #include "mesher/plane/tile/texture_coordinates.hpp"
 
 namespace pcvt {
@@ -32,8 +33,8 @@ struct ObjAppearance {
     std::vector<std::string_view> libraries = {};
 };
 
-/// The name of the material of each face; "" before the first `usemtl`.
-std::vector<std::string> material_names(const ObjAppearance& appearance, int n_faces);
+/// The materials of faces, with names that outlive the file.
+std::vector<MaterialRun> material_runs(const ObjAppearance& appearance);
 
 /// Proves that the tile has the appearance that encode_obj() gives it:
 ///   - texture coordinates are the lattice coordinates of the vertices, one each, within 4 ulps of

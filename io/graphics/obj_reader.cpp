@@ -247,7 +247,7 @@ TileFile decode_obj(const std::vector<EncodedFile>& files,
     TileFile file = finish(std::move(builder), lattice, plane::Precision::kDouble);
     // The appearance of files of other programs is free.
     if (is_own) require_own_appearance(file.tile, content.appearance, obj.path, materials);
-    file.shown = shown_phases(file.tile, material_names(content.appearance, file.tile.n_faces()));
+    file.shown = shown_phases(file.tile, material_runs(content.appearance));
     return file;
 }
 

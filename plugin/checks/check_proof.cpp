@@ -37,7 +37,8 @@ const Format& readable_format(const std::string& path) {
 /// The file, and those of its companions that are beside it.
 std::vector<EncodedFile> read_files(const Format& format, const std::string& path) {
     const std::vector<std::string> paths = format.paths(path);
-    std::vector<EncodedFile> files = {{paths[0], read_whole_file(paths[0])}};
+    std::vector<EncodedFile> files;  // a list in braces would be copied
+    files.push_back({paths[0], read_whole_file(paths[0])});
     for (std::size_t p = 1; p < paths.size(); ++p) {
         // A companion that cannot be examined exists for all that is known; its reader says why.
         std::error_code unknown;

@@ -1,6 +1,7 @@
 #include "mesher/plane/proof/glued_faces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -22,6 +23,9 @@ const char* const kHoleLaw = "(7), holes";
 /// More boundary edges without partners are not compared with each other: each pair takes some 20
 /// ns.
 constexpr std::size_t kMostCompared = 10000;
+
+/// Up to this many items are compared pair by pair, which takes less time than to sort them.
+constexpr std::size_t kFewItems = 12;
 
 /// A halfedge with the key that all images of its edge share.
 struct Side {
@@ -72,17 +76,27 @@ class FaceGluing {
         }
         while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
         const bool dropped = static_cast<int>(corners.size()) < tile_.face_size(f);
-        scratch_ = corners;
-        std::sort(scratch_.begin(), scratch_.end());
-        const auto twice = std::adjacent_find(scratch_.begin(), scratch_.end());
         if (dropped && precision_ == Precision::kDouble) {
             throw_violation(kFaceLaw,
                             "face " + to_string(f) + " has the same corner twice in a row");
         }
-        if (corners.size() >= 3 && twice != scratch_.end()) {
-            throw_violation(kFaceLaw, "face " + to_string(f) + " meets vertex " +
-                                          to_string(*twice) + " more than once");
+        if (corners.size() >= 3) require_different(f, corners);
+    }
+
+    void require_different(int f, const std::vector<int>& corners) {
+        if (corners.size() <= kFewItems) {
+            bool different = true;
+            for (std::size_t k = 1; k < corners.size(); ++k) {
+                for (std::size_t l = 0; l < k; ++l) different &= corners[k] != corners[l];
+            }
+            if (different) return;
         }
+        scratch_ = corners;
+        std::sort(scratch_.begin(), scratch_.end());
+        const auto twice = std::adjacent_find(scratch_.begin(), scratch_.end());
+        if (twice == scratch_.end()) return;
+        throw_violation(kFaceLaw, "face " + to_string(f) + " meets vertex " + to_string(*twice) +
+                                      " more than once");
     }
 
     Side side(int h) const {
@@ -123,6 +137,7 @@ class FaceGluing {
             [&](std::span<const int> halfedges) {
                 sides.clear();
                 for (const int h : halfedges) sides.push_back(side(h));
+                if (match_few(sides)) return;
                 std::sort(sides.begin(), sides.end());
                 match(sides);
             });
@@ -166,6 +181,27 @@ class FaceGluing {
             faces_.hole_edges.push_back({found->second, v, w});
         }
         std::sort(faces_.hole_edges.begin(), faces_.hole_edges.end());
+    }
+
+    /// Links few sides as match() does, without sorting them, if each of them has one partner,
+    /// which runs in the other direction; otherwise links none.
+    bool match_few(const std::vector<Side>& sides) {
+        if (sides.size() > kFewItems) return false;
+        std::array<std::size_t, kFewItems> partner;
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+            int n = 0;
+            for (std::size_t l = 0; l < sides.size(); ++l) {
+                if (l == k || !sides[l].same_edge(sides[k])) continue;
+                if (sides[l].reversed == sides[k].reversed) return false;
+                partner[k] = l;
+                ++n;
+            }
+            if (n != 1) return false;
+        }
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+            if (!sides[k].reversed) link(sides[k].halfedge, sides[partner[k]].halfedge);
+        }
+        return true;
     }
 
     /// @param sides  sorted, all sides of some edges.
@@ -267,78 +303,7 @@ class FaceGluing {
     std::vector<int> scratch_;
 };
 
-/// Walks along the edges of a hole, which lies on the right of each.
-class HoleWalk {
-   public:
-    HoleWalk(const Tile& tile, const GluedFaces& faces, double tolerance)
-        : tile_(tile), faces_(faces), tolerance_(tolerance), seen_(faces.corners.size(), false) {
-        for (const WallEdge& edge : faces.hole_edges) wall_[{edge.v0, edge.v1}] = edge.wall;
-    }
-
-    std::vector<Polygon> polygons() {
-        std::vector<Polygon> polygons;
-        for (int h = 0; h < faces_.n_halfedges(); ++h) {
-            checkpoint_each(h);
-            if (is_hole(h) && !seen_[h]) polygons.push_back(polygon_from(h));
-        }
-        return polygons;
-    }
-
-   private:
-    std::pair<int, int> edge(int h) const {
-        return {faces_.corners[h], faces_.corners[faces_.next(h)]};
-    }
-    bool is_hole(int h) const { return faces_.on_wall(h) && wall_.contains(edge(h)); }
-
-    [[noreturn]] void refuse(int h, const std::string& what) const {
-        const auto [v, w] = edge(h);
-        throw_violation(kHoleLaw, "the hole at edge " + edge_in_words(v, w) + ", on " +
-                                      wall_name(tile_, wall_.at({v, w})) + ", " + what);
-    }
-
-    /// Moves on to the next edge of the hole: round the end of h, over faces.
-    /// @param offset  of the face of h; it becomes that of the next face.
-    int next_edge(int h, Offset& offset) const {
-        int g = faces_.next(h);
-        while (!faces_.on_wall(g)) {
-            offset = offset - faces_.across[g];
-            g = faces_.next(faces_.opposite[g]);
-        }
-        return g;
-    }
-
-    Polygon polygon_from(int first) {
-        Polygon polygon;
-        Offset offset{};
-        const WallId wall = wall_.at(edge(first));
-        int h = first;
-        do {
-            if (!is_hole(h)) refuse(first, "meets another wall");
-            if (wall_.at(edge(h)) != wall) refuse(h, "has two names");
-            seen_[h] = true;
-            polygon.push_back(tile_.points[faces_.corners[h]] + tile_.lattice.translation(offset));
-            h = next_edge(h, offset);
-        } while (h != first);
-        if (offset != Offset{}) refuse(first, "goes round the torus");
-        std::reverse(polygon.begin(), polygon.end());
-        if (!(polygon_area(polygon) > 0) || crosses_itself(polygon, tolerance_)) {
-            refuse(first, "is not a simple polygon");
-        }
-        return polygon;
-    }
-
-    const Tile& tile_;
-    const GluedFaces& faces_;
-    double tolerance_;
-    std::vector<bool> seen_;
-    std::map<std::pair<int, int>, WallId> wall_;
-};
-
 }  // namespace
-
-std::vector<Polygon> hole_polygons(const Tile& tile, const GluedFaces& faces, double tolerance) {
-    return HoleWalk(tile, faces, tolerance).polygons();
-}
 
 GluedFaces glue_faces(const Tile& tile, const VertexOrbits& orbits, Precision precision) {
     return FaceGluing(tile, orbits, precision).glue();

@@ -47,9 +47,4 @@ struct GluedFaces : Faces {
 /// partner.
 GluedFaces glue_faces(const Tile& tile, const VertexOrbits& orbits, Precision precision);
 
-/// Returns the polygons of the holes, counter-clockwise: each is a loop of edges of holes, in the
-/// frame of one of its faces.
-/// @throws NotATile if a loop goes round the torus, has two names, or is not a simple polygon.
-std::vector<Polygon> hole_polygons(const Tile& tile, const GluedFaces& faces, double tolerance);
-
 }  // namespace pcvt::plane

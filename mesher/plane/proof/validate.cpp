@@ -10,6 +10,7 @@
 #include "mesher/plane/geometry/face_polygon.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/proof/glued_faces.hpp"
+#include "mesher/plane/proof/hole_polygons.hpp"
 #include "mesher/plane/proof/validate_walls.hpp"
 #include "mesher/plane/proof/vertex_orbits.hpp"
 

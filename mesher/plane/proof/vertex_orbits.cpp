@@ -56,6 +56,7 @@ class BinAxis {
     std::int64_t bin(double fraction) const {
         const auto n = static_cast<std::int64_t>(n_bins_);
         const auto k = static_cast<std::int64_t>(std::floor(fraction * n_bins_));
+        if (k >= 0 && k < n) return k;
         return ((k % n) + n) % n;
     }
 
