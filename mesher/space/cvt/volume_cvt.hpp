@@ -27,7 +27,7 @@ struct VolumeCvtOptions {
     /// largest |x_i - g_i| / h is at most the tolerance. The solver is not used.
     RunOptions run = {.max_iterations = 0};
     /// Called with the figures of the weights of each position, as SizeNewton::solve does. Before
-    /// the last position volumes are exact to 1e-4.
+    /// the last position volumes are exact to 0.1, in later steps to 1e-4.
     NewtonCallback newton_progress = {};
 };
 
