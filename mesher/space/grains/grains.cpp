@@ -9,17 +9,44 @@
 #include "mesher/portable/portable_functions.hpp"
 #include "mesher/space/grains/cell_filling.hpp"
 #include "mesher/space/grains/shared_moves.hpp"
+#include "mesher/space/grains/tetrahedron_shape.hpp"
 
 namespace pcvt::space {
 namespace {
 
 constexpr double kDefaultPart = 1.0 / 3;
+/// The size of tetrahedra in a flat piece of a cell over its thickness, and the least part of their
+/// size in the whole cell. Larger tetrahedra are flat, and smaller ones make those beside them
+/// flat.
+constexpr double kThicknesses = 3;
+constexpr double kLeastPart = 0.3;
 /// The sine of 18 degrees: cells below are filled again on their moved faces.
 constexpr double kFilledAgain = 0.3090169943749474;
 constexpr int kRelaxations = 3;
 constexpr int kMovesInRound = 2;
 
-/// The sizes of the cells; those of pieces are the sizes of their cells.
+/// The volumes of the cells over half of their surfaces: the thickness of flat ones.
+std::vector<double> thicknesses(const CellComplex& complex, const std::vector<CellBody>& bodies) {
+    std::vector<double> surfaces(bodies.size(), 0);
+    for (int f = 0; f < complex.n_faces(); ++f) {
+        const auto corners = complex.corners_of(f);
+        const Vec3 first = complex.position(corners[0]);
+        Vec3 twice = Vec3::Zero();
+        for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+            twice += cross_product(complex.position(corners[k]) - first,
+                                   complex.position(corners[k + 1]) - first);
+        }
+        surfaces[complex.faces[f].cell] += length(twice) / 2;
+        surfaces[complex.faces[f].neighbour] += length(twice) / 2;
+    }
+    std::vector<double> found;
+    for (std::size_t c = 0; c < bodies.size(); ++c) {
+        found.push_back(2 * bodies[c].volume / surfaces[c]);
+    }
+    return found;
+}
+
+/// The sizes of the cells; those of pieces are the sizes of their cells, or about their thickness.
 std::vector<double> cell_sizes(const CellComplex& complex, double size) {
     const std::vector<CellBody> bodies = cell_bodies(complex);
     std::vector<double> volumes(bodies.size(), 0);
@@ -28,6 +55,11 @@ std::vector<double> cell_sizes(const CellComplex& complex, double size) {
     for (int c = 0; c < complex.n_cells; ++c) {
         const double edge = portable_cbrt(volumes[complex.site_of(c)]);
         sizes.push_back(size > 0 ? std::min(size, kLargestSize * edge) : kDefaultPart * edge);
+    }
+    if (complex.piece_cell.empty()) return sizes;
+    const std::vector<double> thickness = thicknesses(complex, bodies);
+    for (int c = 0; c < complex.n_cells; ++c) {
+        sizes[c] *= std::clamp(kThicknesses * thickness[c] / sizes[c], kLeastPart, 1.0);
     }
     return sizes;
 }
