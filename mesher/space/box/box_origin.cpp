@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -181,6 +182,52 @@ double section_penalty(std::vector<SectionEdge>& edges) {
     return sum;
 }
 
+/// The lowest and the highest points of all cells across the planes of an axis, in periods
+/// modulo 1.
+class CellEnds {
+   public:
+    CellEnds(const Sites& sites, const FaceSections& sections, const CellComplex& complex, int axis)
+        : periods_(kThinPiece * sites.spacing() / sites.lattice().heights()[axis]) {
+        constexpr double kInfinity = std::numeric_limits<double>::infinity();
+        std::vector<double> low(static_cast<std::size_t>(complex.n_cells), kInfinity);
+        std::vector<double> high(low.size(), -kInfinity);
+        for (int f = 0; f < complex.n_faces(); ++f) {
+            const CellFace& face = complex.faces[f];
+            const auto [least, largest] = sections.range(f);
+            const int along = sections.along(face.offset);
+            low[face.cell] = std::min(low[face.cell], least);
+            high[face.cell] = std::max(high[face.cell], largest);
+            low[face.neighbour] = std::min(low[face.neighbour], least - along);
+            high[face.neighbour] = std::max(high[face.neighbour], largest - along);
+        }
+        // Heights count upwards from the lowest points, and downwards from the highest ones.
+        for (const double u : low) low_.push_back(u - std::floor(u));
+        for (const double u : high) high_.push_back(-u - std::floor(-u));
+    }
+
+    double thin_pieces(double plane) const {
+        return sum_above(low_, plane) + sum_above(high_, -plane);
+    }
+
+   private:
+    double sum_above(const std::vector<double>& ends, double plane) const {
+        double sum = 0;
+        for (const double end : ends) {
+            const double above = plane - end - std::floor(plane - end);
+            // A plane through the end cuts nothing off.
+            if (above < kTouching || above >= periods_) continue;
+            sum += penalty(kNarrowAngle * above / periods_);
+        }
+        return sum;
+    }
+
+    static constexpr double kTouching = 1e-9;
+    /// The thickness of thin pieces.
+    double periods_;
+    std::vector<double> low_;
+    std::vector<double> high_;
+};
+
 int whole_below(double height) { return static_cast<int>(std::ceil(height)); }
 
 /// The faces that each position cuts, and the number of periods from there.
@@ -196,6 +243,7 @@ double sum_of_angles(const FaceSections& sections, double position, const CutFac
 /// The best of m positions along an axis.
 double best_position(const Sites& sites, const CellComplex& complex, int axis, int m) {
     const FaceSections sections(sites, complex, axis);
+    const CellEnds ends(sites, sections, complex, axis);
     const auto position = [m](long k) { return (double(k) + 0.5) / m; };
     std::vector<CutFaces> cut(static_cast<std::size_t>(m));
     for (int f = 0; f < complex.n_faces(); ++f) {
@@ -210,7 +258,8 @@ double best_position(const Sites& sites, const CellComplex& complex, int axis, i
     std::vector<double> sums;
     for (int k = 0; k < m; ++k) {
         checkpoint();
-        sums.push_back(sum_of_angles(sections, position(k), cut[k]));
+        sums.push_back(sum_of_angles(sections, position(k), cut[k]) +
+                       ends.thin_pieces(position(k)));
     }
     const double least = *std::min_element(sums.begin(), sums.end());
     double best = 0;
@@ -235,6 +284,10 @@ double narrow_angles(const Sites& sites, const CellComplex& complex, int axis, d
         for (int k = whole_below(low - plane); plane + k <= high; ++k) faces.emplace_back(f, k);
     }
     return sum_of_angles(sections, plane, faces);
+}
+
+double thin_pieces(const Sites& sites, const CellComplex& complex, int axis, double plane) {
+    return CellEnds(sites, FaceSections(sites, complex, axis), complex, axis).thin_pieces(plane);
 }
 
 Vec3 best_box_origin(const Sites& sites, const CellComplex& complex) {

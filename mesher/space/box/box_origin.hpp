@@ -14,9 +14,18 @@ inline constexpr double kNarrowAngle = 25;
 /// @param plane  u of one of the planes, in [0, 1].
 double narrow_angles(const Sites& sites, const CellComplex& complex, int axis, double plane);
 
-/// Chooses the corner of a box so that its sides cut the cells with few narrow angles: for each
-/// axis by itself the position with the smallest narrow_angles() of 200, or of 1,000 for more than
-/// 200 cells; of those that are equal up to rounding, the one farthest from vertices of the cells.
+/// Pieces of cells thinner than this part of h count against an origin.
+inline constexpr double kThinPiece = 0.1;
+
+/// The sum of (25 - 250 d / h)^2 over the thin pieces that the planes cut off from cells, d the
+/// distance of the farthest corner of the cell from the plane. Faces nearly parallel to a plane
+/// make thin pieces without narrow angles.
+double thin_pieces(const Sites& sites, const CellComplex& complex, int axis, double plane);
+
+/// Chooses the corner of a box so that its sides cut the cells with few narrow angles and thin
+/// pieces: for each axis by itself the position with the smallest sum of narrow_angles() and
+/// thin_pieces() of 200, or of 1,000 for more than 200 cells; of those that are equal up to
+/// rounding, the one farthest from vertices of the cells.
 ///
 /// Example usage:
 ///     const CellComplex pieces = cells_in_box(sites, complex, best_box_origin(sites, complex));

@@ -10,6 +10,7 @@
 #include "mesher/space/grains/cell_filling.hpp"
 #include "mesher/space/grains/cell_sizes.hpp"
 #include "mesher/space/grains/shared_moves.hpp"
+#include "mesher/space/grains/tetrahedron_shape.hpp"
 
 namespace pcvt::space {
 namespace {

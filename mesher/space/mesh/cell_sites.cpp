@@ -150,7 +150,8 @@ Points sites_of_cells(const CellComplex& complex, const std::vector<Offset>& ima
 std::vector<SiteId> cells_of_pieces(const Lattice& lattice, const Points& sites) {
     std::vector<SiteId> cells;
     const auto n = static_cast<int>(sites.cols());
-    const double near = same_site_distance(lattice.spacing(std::max(n, 1)), sites);
+    if (n == 0) return {};
+    const double near = same_site_distance(lattice.spacing(n), sites);
     for (int p = 0; p < n; ++p) {
         checkpoint_each(p);
         if (p == 0) {
@@ -162,7 +163,7 @@ std::vector<SiteId> cells_of_pieces(const Lattice& lattice, const Points& sites)
         const bool is_same = (step - lattice.to_position(whole)).cwiseAbs().maxCoeff() <= near;
         cells.push_back(cells.back() + (is_same ? 0 : 1));
     }
-    if (n == 0 || cells.back() == n - 1) return {};
+    if (cells.back() == n - 1) return {};
     return cells;
 }
 

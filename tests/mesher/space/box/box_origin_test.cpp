@@ -71,6 +71,19 @@ TEST(BoxOrigin, SumsTheAnglesOfCutCells) {
     }
 }
 
+/// A plane 0.02 h above the lower faces of the cells of a grid, and below the upper ones.
+TEST(BoxOrigin, SumsThinPieces) {
+    const Lattice cube = Lattice::box(1, 1, 1);
+    const SpaceCase c{"grid", cube, testing::grid_points(2)};
+    const Sites sites(cube, c.points);
+    const double face = sites.position(0).z() + 0.25;
+    for (const double d : {0.01, -0.01}) {
+        EXPECT_NEAR(thin_pieces(sites, complex_of(c), 2, face + d), 4 * 20 * 20, 1e-6);
+    }
+    EXPECT_EQ(thin_pieces(sites, complex_of(c), 2, face), 0);
+    EXPECT_EQ(thin_pieces(sites, complex_of(c), 2, face + 0.2), 0);
+}
+
 /// Laws (1) and (2).
 TEST(BoxOrigin, IsTheBestOfItsPositions) {
     const Lattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
@@ -81,10 +94,12 @@ TEST(BoxOrigin, IsTheBestOfItsPositions) {
     for (int axis = 0; axis < 3; ++axis) {
         EXPECT_GT(u[axis], 0);
         EXPECT_LT(u[axis], 1);
-        const double chosen = narrow_angles(sites, complex, axis, u[axis]);
-        for (int k = 0; k < 200; ++k) {
-            EXPECT_LE(chosen, narrow_angles(sites, complex, axis, (k + 0.5) / 200) + 1e-3);
-        }
+        const auto cost = [&](double plane) {
+            return narrow_angles(sites, complex, axis, plane) +
+                   thin_pieces(sites, complex, axis, plane);
+        };
+        const double chosen = cost(u[axis]);
+        for (int k = 0; k < 200; ++k) EXPECT_LE(chosen, cost((k + 0.5) / 200) + 1e-3);
     }
 }
 
@@ -95,9 +110,8 @@ TEST(BoxOrigin, LiesOffVerticesOfLattices) {
     const Sites sites(cube, c.points);
     const Vec3 u = best_box_origin(sites, complex_of(c));
     for (int axis = 0; axis < 3; ++axis) {
-        const double from_face = std::abs(2 * u[axis] - std::round(2 * u[axis]));
-        const double from_middle = std::abs(0.5 - from_face);
-        EXPECT_LT(std::min(from_face, from_middle), 0.01);
+        const double from_site = std::abs(2 * u[axis] - std::round(2 * u[axis]));
+        EXPECT_LT(std::min(from_site, 0.5 - from_site), 0.01);
     }
 }
 
