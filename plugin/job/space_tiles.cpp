@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mesher/space/mesh/cell_sites.hpp"
+#include "mesher/space/mesh/midside_nodes.hpp"
 #include "mesher/space/mesh/short_edges.hpp"
 #include "mesher/space/proof/tetrahedral_proof.hpp"
 #include "mesher/space/tessellation/repeated_cells.hpp"
@@ -117,10 +118,9 @@ std::optional<space::TetrahedralMesh> build_tetrahedra(const Job& job,
     monitor.begin(Phase::kBuilding, "building the tetrahedra");
     const std::optional<space::Tessellation> all = all_periods(job, one_period);
     const space::Tessellation& cells = all ? *all : one_period;
-    space::TetrahedralMesh mesh = are_grains ? grain_tetrahedra(job, cells, monitor, summary)
-                                             : delaunay_tetrahedra(job, cells, file->path());
-    mesh.order = job.tile.order;
-    return mesh;
+    return space::of_order(job.tile.order,
+                           are_grains ? grain_tetrahedra(job, cells, monitor, summary)
+                                      : delaunay_tetrahedra(job, cells, file->path()));
 }
 
 }  // namespace pcvt

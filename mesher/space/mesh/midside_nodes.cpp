@@ -113,4 +113,9 @@ MidsideNodes midside_nodes(const TetrahedralMesh& mesh) {
     return nodes;
 }
 
+TetrahedralMesh of_order(int order, TetrahedralMesh mesh) {
+    mesh.order = order;
+    return mesh;
+}
+
 }  // namespace pcvt::space

@@ -37,4 +37,7 @@ struct MidsideNodes {
 /// Cost: t log t for t tetrahedra.
 MidsideNodes midside_nodes(const TetrahedralMesh& mesh);
 
+/// Returns the tile with tetrahedra of that order.
+TetrahedralMesh of_order(int order, TetrahedralMesh mesh);
+
 }  // namespace pcvt::space
