@@ -12,6 +12,7 @@
 #include "mesher/plane/proof/validate.hpp"
 #include "mesher/space/box/box_origin.hpp"
 #include "mesher/space/search/lattice_pattern.hpp"
+#include "mesher/space/tessellation/repeated_cells.hpp"
 #include "mesher/space/voxels/voxel_image.hpp"
 #include "plugin/job/job_start.hpp"
 #include "plugin/job/job_tessellation.hpp"
@@ -99,6 +100,8 @@ struct SpaceContent {
     space::Points points;
     /// For files of tetrahedra; nothing if there is none.
     std::optional<space::TetrahedralMesh> tetrahedra;
+    /// Those of the cells of all periods; the tile has those of its pieces.
+    CellMaterials materials;
     const Job& job;
 
     plane::MeshKind mesh() const { return job.meshes.front(); }
@@ -139,8 +142,8 @@ struct SpaceContent {
    private:
     /// Delaunay tetrahedra have no materials.
     const CellMaterials* materials_of_tetrahedra() const {
-        const bool are_stated = mesh() == plane::MeshKind::kGrains && !tile.materials.empty();
-        return are_stated ? &tile.materials : nullptr;
+        const bool are_stated = mesh() == plane::MeshKind::kGrains && !materials.empty();
+        return are_stated ? &materials : nullptr;
     }
 
     std::vector<EncodedFile> encode_voxels(const JobFile& file) const {
@@ -251,7 +254,8 @@ FileContent SpaceWorld::content(const Job& job, const std::vector<JobFile>& file
     const auto content = std::make_shared<const SpaceContent>(SpaceContent{
         built.tile, computation,
         wrapped_positions(computation.cells.sites(), tile_origin(job, computation.cells)),
-        std::move(tetrahedra), job});
+        std::move(tetrahedra), space::repeated_materials(computation.materials, job.tile.repeat),
+        job});
     return {.encode = [content](const JobFile& file) { return content->encode(file); },
             .prove =
                 [content](const JobFile& file, const std::vector<EncodedFile>& encoded) {
