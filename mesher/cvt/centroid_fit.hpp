@@ -10,8 +10,10 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/cvt/centroid_figures.hpp"
+#include "mesher/cvt/centroid_patience.hpp"
 #include "mesher/cvt/cvt_objective.hpp"
 #include "mesher/cvt/size_newton.hpp"
+#include "mesher/optimize/conjugate_gradients.hpp"
 #include "mesher/optimize/convex_lbfgs.hpp"
 
 namespace pcvt {
@@ -35,12 +37,16 @@ inline constexpr double kNearestSites = 1e-5;
 /// S. Roper 2024). Its minimum has the prescribed centroids. x_i and t_i are compared unwrapped,
 /// and E is bounded on the torus, so that a minimum exists for any centroids. Where it lies at
 /// sites that coincide, which centroids of no power diagram may bring about, sites come close to
-/// each other, but stay so far apart that doubles and files hold their cells: a step is shortened
-/// that brings two sites within kNearestSites, or to where the rounding of weights changes a size
-/// by more than kMostRounding. The run ends as stalled once the centroids no longer come nearer.
+/// each other, but stay so far apart that doubles and files hold their cells: a step that brings
+/// two sites within kNearestSites is shortened. The run ends as stalled once the centroids no
+/// longer come nearer.
 ///
 /// L-BFGS minimises P from x = t. In units of 2 s_i its Hessian is near to the identity, so that
-/// the first step is t_i - g_i.
+/// the first step is t_i - g_i. Sites of cells that are far from round lie near each other, where
+/// the Hessian grows as the inverse of their distance and L-BFGS needs many iterations. With
+/// `derivatives`, Newton's steps follow once the centroids are near: 300 relaxed cells in the plane
+/// are found after 9 iterations instead of 146, cells of random sites after some 500 instead of
+/// 1,500.
 ///
 /// `Pass` evaluates a moving triangulation `Pass::Moving` as in CvtObjective, and `Diagram` is its
 /// power diagram as in SizeNewton.
@@ -53,21 +59,24 @@ class CentroidObjective final : public Objective {
     using Measure = void(const Diagram& diagram, Workers& workers, Energy& cells);
     /// The length of the shortest edge between two sites, units.
     using ShortestEdge = double(const Moving& moving);
+    /// Assembles plane::assemble_moment_derivatives.
+    using Derivatives = void(const Diagram& diagram, double unit, BlockMatrix& matrix);
 
     /// All arguments but the functions must outlive this object.
     /// @param moving  its sites are the prescribed centroids.
     /// @param sizes   s_i in the unit and the order of `moving`, with the sum of the domain's size.
     CentroidObjective(Moving& moving, const Eigen::VectorXd& sizes, Workers& workers,
-                      const NewtonCallback& callback, Measure* measure, ShortestEdge* shortest_edge)
+                      const NewtonCallback& callback, Measure* measure, ShortestEdge* shortest_edge,
+                      Derivatives* derivatives = nullptr)
         : moving_(moving),
           sizes_(sizes),
           workers_(workers),
           callback_(callback),
           measure_(measure),
           shortest_edge_(shortest_edge),
+          derivatives_(derivatives),
           pass_(moving, workers),
           newton_(moving, workers),
-          most_rounding_(kMostRounding * sizes.mean()),
           targets_(moving.coordinates()),
           from_targets_(Points::Zero(Moving::kDimension, moving.n_sites())),
           trial_(from_targets_) {}
@@ -81,11 +90,6 @@ class CentroidObjective final : public Objective {
         if (t != 0 && shortest_edge_(moving_) < kNearestSites * moving_.spacing()) return false;
         place(direction, t);
         if (!solve(kTrialTolerance)) return false;
-        if (t == 0) {
-            most_rounding_ = std::max(most_rounding_, newton_.recent_rounding());
-        } else if (newton_.recent_rounding() > most_rounding_) {
-            return false;
-        }
         fill(evaluation);
         if (t == 0) note_best();
         return true;
@@ -99,6 +103,34 @@ class CentroidObjective final : public Objective {
     void reject() override { undo_step(); }
     void lloyd_step(const Evaluation& evaluation, Eigen::VectorXf& direction) const override {
         direction = -scaled(evaluation.gradient).template cast<float>();
+    }
+
+    /// Newton's step at the point, which must have been evaluated last, in sites and weights at
+    /// once: to first order, the sizes stay and the centroids become those prescribed.
+    /// @returns false if there is none: `derivatives` is null, or the step does not lead down.
+    bool newton_step(const Evaluation& here, double radius, Eigen::VectorXf& direction) {
+        if (derivatives_ == nullptr || here.rms_residual > kNewtonBelow || !undo_step())
+            return false;
+        BlockMatrix matrix;
+        (*derivatives_)(newton_.diagram(), moving_.spacing(), matrix);
+        // A site has kNumbers numbers, then two for its weight.
+        const int n = moving_.n_sites();
+        constexpr int kAll = kNumbers + 2;
+        Eigen::VectorXd slope = Eigen::VectorXd::Zero(Eigen::Index{kAll} * n);
+        for (int s = 0; s < n; ++s) {
+            slope.segment<kNumbers>(kAll * s) = here.gradient.segment<kNumbers>(kNumbers * s) / 2;
+        }
+        ConjugateGradients solver(slope.size(), workers_);
+        solver.solve(matrix, slope,
+                     {.relative_residual = std::clamp(here.rms_residual, kExactStep, kLooseStep),
+                      .radius = radius,
+                      .products = kMostProducts});
+        direction.resize(n_variables());
+        for (int s = 0; s < n; ++s) {
+            direction.segment<kNumbers>(kNumbers * s) =
+                solver.solution().segment<kNumbers>(kAll * s).template cast<float>();
+        }
+        return direction.allFinite() && direction.cast<double>().dot(here.gradient) < 0;
     }
 
     /// Goes to the point of the run with the nearest centroids, which need not be the last one, and
@@ -148,8 +180,12 @@ class CentroidObjective final : public Objective {
     static constexpr double kTrialTolerance = 1e-8;
     /// A part of the mean size; steps to sites whose sizes are off by more are shortened.
     static constexpr double kWorstTrial = 1e-5;
-    /// A part of the mean size, or the rounding at the beginning where it is larger.
-    static constexpr double kMostRounding = 1e-10;
+    /// The linear equations of a step are solved to the RMS residual, within these limits.
+    static constexpr double kExactStep = 1e-4;
+    static constexpr double kLooseStep = 1e-2;
+    static constexpr int kMostProducts = 2000;
+    /// Farther away the quadratic model does not hold.
+    static constexpr double kNewtonBelow = 1e-2;
 
     bool undo_step() {
         if (moving_.settled()) return true;
@@ -237,10 +273,10 @@ class CentroidObjective final : public Objective {
     const NewtonCallback& callback_;
     Measure* measure_;
     ShortestEdge* shortest_edge_;
+    Derivatives* derivatives_;
     Pass pass_;
     Energy euclidean_;
     SizeNewton<Diagram> newton_;
-    double most_rounding_;
     Energy cells_;
     SizeFigures figures_;
     /// The prescribed centroids, reduced basis.
@@ -267,37 +303,12 @@ inline void require_apart(const std::vector<CoincidentSite>& pairs) {
         "merge the two grains");
 }
 
-/// Ends a run whose centroids no longer come nearer, at one of its best iterations.
-class CentroidPatience {
-   public:
-    bool is_over(const Progress& now) {
-        best_ = std::min(best_, now.rms_residual);
-        if (now.rms_residual < kNearer * mark_) {
-            mark_ = now.rms_residual;
-            since_ = now.iteration;
-            return false;
-        }
-        const int waited = now.iteration - since_;
-        const int patience = std::max(kFewestWaited, since_ / 2);
-        return waited >= 2 * patience ||
-               (waited >= patience && now.rms_residual <= kNearBest * best_);
-    }
-
-   private:
-    static constexpr double kNearer = 0.9;
-    static constexpr double kNearBest = 1.05;
-    static constexpr int kFewestWaited = 100;
-
-    double best_ = std::numeric_limits<double>::infinity();
-    double mark_ = best_;
-    int since_ = 0;
-};
-
 /// Minimises a CentroidObjective, whose point is that of `moving`.
 /// @param sizes  those of the objective.
 template <class Moving>
 RunStatistics fit_centroids(const Moving& moving, const Eigen::VectorXd& sizes,
-                            Objective& objective, const RunOptions& run) {
+                            Objective& objective, const RunOptions& run,
+                            const DescentStep& newton_step = {}) {
     CentroidPatience patience;
     OptimizerOptions options = optimizer_options(moving, run);
     options.stop_when = [&](const Progress& now) { return patience.is_over(now); };
@@ -314,7 +325,7 @@ RunStatistics fit_centroids(const Moving& moving, const Eigen::VectorXd& sizes,
         scales.segment<Moving::kNumbersPerSite>(Moving::kNumbersPerSite * s)
             .setConstant(1 / (2 * sizes[s]));
     }
-    RunStatistics ended = minimize_convex(objective, scales, options).run;
+    RunStatistics ended = minimize_convex(objective, scales, options, newton_step).run;
     const bool is_fitted = ended.residual <= run.tolerance;
     if (ended.stop == Stop::kConverged && !is_fitted) ended.stop = Stop::kStalled;
     return ended;

@@ -107,12 +107,6 @@ class SizeNewton {
     const Diagram& diagram() const { return here_; }
     /// The largest r_i in the unit of sizes(), for the present weights.
     double rounding() const { return orbit_roundings(graph(), Diagram::kSizeRounding).maxCoeff(); }
-    /// The largest r_i before the last step of solve(), which is near to rounding() and costs
-    /// nothing.
-    double recent_rounding() const {
-        if (roundings_.size() == 0) return rounding();
-        return Diagram::kSizeRounding / Diagram::kAimedRounding * roundings_.maxCoeff();
-    }
 
    private:
     /// The adjacency of the orbits of cells.

@@ -152,7 +152,6 @@ template <class Diagram>
 SizeFigures SizeNewton<Diagram>::solve(const Eigen::VectorXd& targets, double tolerance,
                                        const NewtonCallback& callback) {
     begin(targets.minCoeff());
-    roundings_.resize(0);
     last_step_ = 1;
     const double least_size = std::min(targets.minCoeff(), sizes().minCoeff()) / 2;
     SizeFigures figures;

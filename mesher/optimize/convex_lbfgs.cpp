@@ -78,18 +78,21 @@ std::optional<double> search_slopes(OptimizerRun& run, const Eigen::VectorXf& di
 }  // namespace
 
 OptimizerResult minimize_convex(Objective& objective, const Eigen::VectorXd& scales,
-                                const OptimizerOptions& options) {
+                                const OptimizerOptions& options, const DescentStep& step) {
     OptimizerRun run(objective, options);
     Evaluation here;
     Eigen::VectorXf direction = Eigen::VectorXf::Zero(objective.n_variables());
     if (!run.evaluate(direction, 0, here)) return run.finish(Stop::kStalled, here);
     std::deque<StepPair> pairs;
+    bool may_step = bool(step);
     for (;;) {
         if (const auto stop = run.before_iteration(here)) return run.finish(*stop, here);
-        direction = descent(pairs, scales, here.gradient).cast<float>();
+        const bool is_step = may_step && step(here, direction);
+        if (!is_step) direction = descent(pairs, scales, here.gradient).cast<float>();
         const Eigen::VectorXd before = here.gradient;
         const auto t =
             search_slopes(run, direction, options.max_move / largest_move(direction), here);
+        may_step = step && (t || !is_step);
         if (t) {
             run.accept();
             StepPair pair{*t * direction.cast<double>(), here.gradient - before, 0};
@@ -101,10 +104,10 @@ OptimizerResult minimize_convex(Objective& objective, const Eigen::VectorXd& sca
             continue;
         }
         // The direction is spoilt, by pairs from far away or by rounding: begin again.
-        if (!run.evaluate(direction, 0, here) || pairs.empty()) {
+        if (!run.evaluate(direction, 0, here) || (pairs.empty() && !is_step)) {
             return run.finish(Stop::kStalled, here);
         }
-        pairs.clear();
+        if (!is_step) pairs.clear();
     }
 }
 

@@ -17,6 +17,10 @@ void measure(const PowerDiagram& diagram, Workers& workers, Energy& cells) {
     measure_cells(diagram.regular(), diagram.heights(), workers, cells);
 }
 
+void derivatives(const PowerDiagram& diagram, double unit, BlockMatrix& matrix) {
+    assemble_moment_derivatives(diagram.regular(), diagram.heights(), unit, matrix);
+}
+
 /// Each site is joined to its nearest neighbour by a Delaunay edge.
 double shortest_edge(const MovingDelaunay& moving) {
     const TorusTriangulation& t = moving.triangulation();
@@ -58,8 +62,12 @@ CentroidCells fit_areas_and_centroids(const Lattice& lattice, const Points& cent
     areas *= moving.frame().ax * moving.frame().by / areas.sum();
     Workers workers(options.run.n_threads);
     CentroidObjective<EnergyPass, PowerDiagram> objective(
-        moving, areas, workers, options.newton_progress, measure, shortest_edge);
-    RunStatistics run = fit_centroids(moving, areas, objective, options.run);
+        moving, areas, workers, options.newton_progress, measure, shortest_edge, derivatives);
+    RunStatistics run =
+        fit_centroids(moving, areas, objective, options.run,
+                      [&](const Evaluation& here, Eigen::VectorXf& direction) {
+                          return objective.newton_step(here, longest_move(moving), direction);
+                      });
     const CentroidFigures figures = objective.finish(area_tolerance(n));
     run.residual = figures.largest;
     run.energy = objective.cells().value * std::pow(unit, 4);

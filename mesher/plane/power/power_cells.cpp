@@ -201,4 +201,94 @@ void assemble_cell_graph(const WeightedTriangulation& regular, const std::vector
     });
 }
 
+namespace {
+
+/// The integrals over a side, over |d|, of r_i r_i^T, r_i r_j^T, r_i, r_j and 1.
+struct SideMoments {
+    Eigen::Matrix2d own;
+    Eigen::Matrix2d mixed;
+    Vec2 first;
+    Vec2 first_of_neighbour;
+    double length;
+};
+
+SideMoments moments_of(const CellSide& side) {
+    const auto& [neighbour, d, squared, f, left, right] = side;
+    // Points of the side are x_i + f d + t across, with t from -right to left.
+    const Vec2 across(-d.y(), d.x());
+    const double length = left + right;
+    const double first = (left * left - right * right) / 2;
+    const double second = (left * left * left + right * right * right) / 3;
+    const Eigen::Matrix2d dd = d * d.transpose();
+    const Eigen::Matrix2d da = d * across.transpose();
+    const Eigen::Matrix2d aa = second * across * across.transpose();
+    const double g = f - 1;
+    return {.own = f * f * length * dd + f * first * (da + da.transpose()) + aa,
+            .mixed = f * g * length * dd + first * (f * da + g * da.transpose()) + aa,
+            .first = f * length * d + first * across,
+            .first_of_neighbour = g * length * d + first * across,
+            .length = length};
+}
+
+BlockMatrix::Block rounded_block(double xx, double yx, double xy, double yy) {
+    return {static_cast<float>(xx), static_cast<float>(yx), static_cast<float>(xy),
+            static_cast<float>(yy)};
+}
+
+}  // namespace
+
+void assemble_moment_derivatives(const WeightedTriangulation& regular,
+                                 const std::vector<double>& heights, double unit,
+                                 BlockMatrix& matrix) {
+    const int n = regular.triangulation.n_sites();
+    const std::vector<int> outgoing = outgoing_halfedges(regular.triangulation);
+    std::vector<int> n_entries(2 * static_cast<std::size_t>(n), 1);
+    for (SiteId s = 0; s < n; ++s) {
+        for_each_side(regular, heights, outgoing[s], [&](const CellSide& side) {
+            if (side.neighbour == s) return;
+            n_entries[2 * s] += 2;
+            n_entries[2 * s + 1] += 2;
+        });
+    }
+    matrix.resize(n_entries);
+    for (SiteId s = 0; s < n; ++s) {
+        Eigen::Matrix2d own = Eigen::Matrix2d::Zero();
+        Vec2 first = Vec2::Zero();
+        double length = 0;
+        int of_site = matrix.row_begin[2 * s];
+        int of_weight = matrix.row_begin[2 * s + 1];
+        const auto add = [&](int& at, int column, const BlockMatrix::Block& block) {
+            matrix.column[at] = column;
+            matrix.block[at++] = block;
+        };
+        for_each_side(regular, heights, outgoing[s], [&](const CellSide& side) {
+            const SideMoments m = moments_of(side);
+            own += m.own;
+            first += m.first;
+            length += m.length;
+            const int t = side.neighbour;
+            if (t == s) {
+                // An image of the site itself moves with it.
+                own -= (m.mixed + m.mixed.transpose()) / 2;
+                first -= (m.first + m.first_of_neighbour) / 2;
+                length -= m.length;
+                return;
+            }
+            const Eigen::Matrix2d& q = m.mixed;
+            const Vec2 a = unit * m.first;
+            const Vec2 b = unit * m.first_of_neighbour;
+            add(of_site, 2 * t, rounded_block(-q(0, 0), -q(1, 0), -q(0, 1), -q(1, 1)));
+            add(of_site, 2 * t + 1, rounded_block(-a.x(), -a.y(), 0, 0));
+            add(of_weight, 2 * t, rounded_block(-b.x(), 0, -b.y(), 0));
+            add(of_weight, 2 * t + 1, rounded_block(-unit * unit * m.length, 0, 0, 0));
+        });
+        first *= unit;
+        length *= unit * unit;
+        add(of_site, 2 * s + 1, rounded_block(first.x(), first.y(), 0, 0));
+        add(of_weight, 2 * s, rounded_block(first.x(), 0, first.y(), 0));
+        matrix.diagonal[2 * s] = {own(0, 0), own(1, 0), own(0, 1), own(1, 1)};
+        matrix.diagonal[2 * s + 1] = {length, 0, 0, length > 0 ? length : 1};
+    }
+}
+
 }  // namespace pcvt::plane

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "mesher/base/block_matrix.hpp"
 #include "mesher/base/workers.hpp"
 #include "mesher/cells/cell_graph.hpp"
 #include "mesher/cvt/energy.hpp"
@@ -56,6 +57,7 @@ struct WeightedTriangulation {
 ///   (2) The masses sum to the area of the domain.
 ///   (3) The derivative of the masses by the weights is minus the Laplacian of the graph.
 ///   (4) Every bit is the same for any number of workers.
+///   (5) assemble_moment_derivatives() has the derivatives of areas and first moments.
 ///
 /// @param heights  resized to the number of halfedges, dimensionless.
 /// @param mass     resized to n, unit^2.
@@ -71,5 +73,20 @@ void measure_cells(const WeightedTriangulation& regular, const std::vector<doubl
 /// @param heights  of measure_masses.
 void assemble_cell_graph(const WeightedTriangulation& regular, const std::vector<double>& heights,
                          Workers& workers, CellGraph& graph);
+
+/// Assembles the derivatives of the moments of the cells by their sites and weights. With r = p -
+/// x, u_i = w_i / 2, a side moves at p along d = x_j - x_i by
+///
+///   v  =  (r_i.dx_i + du_i - r_j.dx_j - du_j) / |d|
+///
+/// so that the changes of the first moment and of the area of cell i are the sums over its sides of
+/// the integrals of r_i v and of v, and the matrix is symmetric and positive semidefinite.
+///
+/// @param heights  of measure_masses.
+/// @param unit     u is scaled to the numbers u / unit, a length.
+/// @param matrix   rows 2 i: x_i; rows 2 i + 1: u_i / unit, and a number that is coupled to none.
+void assemble_moment_derivatives(const WeightedTriangulation& regular,
+                                 const std::vector<double>& heights, double unit,
+                                 BlockMatrix& matrix);
 
 }  // namespace pcvt::plane

@@ -91,6 +91,12 @@ TEST(CentroidCells, OfPowerDiagramsAreFoundOnAllLattices) {
     }
 }
 
+// Newton's steps end the run: L-BFGS needs more than 100 iterations.
+TEST(CentroidCells, OfRelaxedGrainsAreFoundInFewIterations) {
+    const Grains grains = random_grains(Lattice::rectangle(1, 1), 300, 1, 5);
+    EXPECT_LE(fitted(grains).grains.run.iterations, 20);
+}
+
 TEST(CentroidCells, OfAThousandGrainsAreFound) {
     expect_recovered(random_grains(Lattice::rectangle(2, 1), 1000, 5, 5));
 }

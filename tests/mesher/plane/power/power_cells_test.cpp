@@ -183,5 +183,67 @@ TEST(PowerCells, EveryBitIsTheSameForAnyNumberOfWorkers) {
     EXPECT_EQ(first.gradient, second.gradient);
 }
 
+/// The changes of x_i m_i plus the first moment about x_i, for the cells as they are, and of m_i.
+Eigen::VectorXd moment_changes(const Diagram& before, const Diagram& after,
+                               const Eigen::VectorXd& dx, const Eigen::VectorXd& areas,
+                               Workers& workers) {
+    const Energy first = measured(before, workers);
+    const Energy second = measured(after, workers);
+    const auto n = first.mass.size();
+    Eigen::VectorXd changes(4 * n);
+    for (Eigen::Index s = 0; s < n; ++s) {
+        changes.segment<2>(4 * s) = (first.gradient - second.gradient).segment<2>(2 * s) / 2 +
+                                    areas[s] * dx.segment<2>(2 * s);
+        changes[4 * s + 2] = second.mass[s] - first.mass[s];
+        changes[4 * s + 3] = 0;
+    }
+    return changes;
+}
+
+// Law 5.
+TEST(PowerCells, TheMatrixHasTheDerivativesOfTheMoments) {
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal;
+    Workers workers(1);
+    for (const int n : {2, 40}) {
+        for (const auto& [name, lattice] : lattices()) {
+            SCOPED_TRACE(name + " " + std::to_string(n));
+            const Sites sites(lattice, uniform_points(lattice, n, random()));
+            const Eigen::VectorXd weights = weights_of_size(n, 0.02, random);
+            const Diagram here(sites, weights);
+            if (!here.visible) continue;
+            const double h = here.delaunay.spacing();
+            const Eigen::VectorXd dw = weights_of_size(n, 1, random);
+            Eigen::VectorXd dx(2 * n);
+            for (double& x : dx) x = h * normal(random);
+            constexpr double kStep = 1e-6;
+            const auto moved = [&](double t) {
+                Points u = sites.coordinates();
+                for (int s = 0; s < n; ++s) {
+                    const Vec2 du = here.delaunay.frame().to_lattice(t * dx.segment<2>(2 * s));
+                    u.col(here.delaunay.original_id(s)) +=
+                        (du * 0x1p50).array().round().matrix() * 0x1p-50;
+                }
+                return Diagram(Sites(lattice, sites.reduction(), u), weights + t * dw);
+            };
+            const Eigen::VectorXd areas = measured(here, workers).mass;
+            const Eigen::VectorXd difference =
+                moment_changes(moved(-kStep), moved(kStep), 2 * kStep * dx, areas, workers) /
+                (2 * kStep);
+            BlockMatrix matrix;
+            assemble_moment_derivatives(here.weighted(),
+                                        orthocentre_heights(here.weighted(), workers), h, matrix);
+            Eigen::VectorXd change(4 * n);
+            for (int s = 0; s < n; ++s) {
+                change.segment<4>(4 * s) << dx[2 * s], dx[2 * s + 1], dw[s] * h * h / 2 / h, 0;
+            }
+            Eigen::VectorXd product(4 * n);
+            matrix.multiply(change, product, workers);
+            for (int s = 0; s < n; ++s) product[4 * s + 2] /= h;
+            EXPECT_LT((difference - product).norm(), 1e-5 * product.norm());
+        }
+    }
+}
+
 }  // namespace
 }  // namespace pcvt::plane
