@@ -106,8 +106,9 @@ std::string space_grain_line(const SpaceGrainFigures& grains) {
                        " degrees";
     if (grains.n_sharp > 0) {
         text += "; from " + figure(grains.smallest_sharp_angle) + " at " +
-                counted(grains.n_sharp, "sharp corner") +
-                " or edges of the cells, the sharpest of " + figure(grains.sharpest) + " degrees";
+                counted(grains.n_sharp, "sharp place") +
+                " of the cells (corners, edges, narrow faces, flat cells), the sharpest of " +
+                figure(grains.sharpest) + " degrees";
     }
     return summary_line("grains", text);
 }
