@@ -207,8 +207,11 @@ class NodeMoves {
             }
         }
         if (best > start + kGain) {
-            place(node, surface_.nodes[node].position + way, uses);
-            return;
+            const Vec3 from = surface_.nodes[node].position;
+            place(node, from + way, uses);
+            if (worst_placed() > start) return;
+            // Two images of the node are corners of one tetrahedron, which has another shape.
+            place(node, from, uses);
         }
         for (const NodeUse& use : uses) {
             cells_[use.cell].note_failure(CellTetrahedra::kMove, use.vertex);
@@ -236,6 +239,14 @@ class NodeMoves {
             return std::tie(s.quality, s.cell, s.tetrahedron) <
                    std::tie(t.quality, t.cell, t.tetrahedron);
         });
+    }
+
+    double worst_placed() const {
+        double worst = kUnlimited;
+        for (const Around& t : around_) {
+            worst = std::min(worst, cells_[t.cell].quality(t.tetrahedron));
+        }
+        return worst;
     }
 
     double shortest_edge() const {
