@@ -118,9 +118,9 @@ std::optional<space::TetrahedralMesh> build_tetrahedra(const Job& job,
     monitor.begin(Phase::kBuilding, "building the tetrahedra");
     const std::optional<space::Tessellation> all = all_periods(job, one_period);
     const space::Tessellation& cells = all ? *all : one_period;
-    return space::of_order(job.tile.order,
-                           are_grains ? grain_tetrahedra(job, cells, monitor, summary)
-                                      : delaunay_tetrahedra(job, cells, file->path()));
+    return space::of_order(job.tile.order, are_grains
+                                               ? grain_tetrahedra(job, cells, monitor, summary)
+                                               : delaunay_tetrahedra(job, cells, file->path()));
 }
 
 }  // namespace pcvt
