@@ -115,16 +115,16 @@ SPACE_C = {
         "n_sites=0", "n_sites=67108865", "tolerance=0", "n_threads=1025", "sites=0.1,0.2,0.3,0.6,0.5,nan,1,1,1",
         "sites=0.25,0.5,0,0.5,0.5,0,1.25,-0.5,3", f"sites={SITES3} start=1", "lattice3=1,0,0,0,1,0,0,0,0",
         "lattice3=1,0,0,0,1,0,0,0,inf", "short_edges=0.2", "short_edges=-1", "reserved4=1", "start=4", "start=77",
-        "solver=3", "solver=-1", "lattice=1,0,0.5,1", "find_origin=1",
-        "grain_order=1", "grain_per_edge=2", "walls=2", "wall_cells=1",
+        "solver=3", "solver=-1", "lattice=1,0,0.5,1",
+        "grain_per_edge=2", "walls=2", "wall_cells=1",
         "'inclusions=circle a 0.5 0.5 0.1'",
         "fibres=0.2,2", "holes=fibre", "budget=5", "density_source=1", "density_range=0,1", "density=wave",
         "areas=1,2,3", "n_areas=3", "area_law=equal", "aspect_degrees=30",
         "symmetry=1", "fixed_sites=1,2,3", "n_fixed_sites=1"])],
     "c-space-write-refusals": [Host(f"{SPACE} n_sites=8 generate " + " ".join(f"reset {words}" for words in (
-        "write t.inp", "write t.nc", "write t.xyz", "write t", "write -", "write /dev/null/t.vtu",
+        "write t.nc", "write t.xyz", "write t", "write -", "write /dev/null/t.vtu",
         "write.kind=1 write t.foam", "write.kind=1 write t.obj",
-        "write.outline=1 write t.vtu", "write.colour=1 write t.vtu",
+        "write.colour=1 write t.vtu",
         "write.gltf_nodes=2 write t.glb", "write.single_precision=1 write t.ply", "write.pixels=64 write t.png",
         "write.element=1 write t.vtu", "write.cut_width=100 write t.svg", "write.background=none write t.svg",
         "write.job=1 write t.vtu", "write.thickness=0.1 write t.foam",
@@ -225,7 +225,7 @@ for sites, options in (
         (9, dict(seed=-1)), (9, dict(threads=5000)), (9, dict(areas="equal"))):
     refused(pcvt.space, sites, **options)
 result = pcvt.space(9)
-for path, options in (("t.inp", {}), ("t.xyz", {}), ("/dev/null/t.vtu", {}), (None, {}),
+for path, options in (("t.xyz", {}), ("/dev/null/t.vtu", {}), (None, {}),
                       ("t.obj", dict(mesh="delaunay")), ("t.foam", dict(surface="boundary")),
                       ("t.obj", dict(surface="skin"))):
     refused(result.write, path, **options)

@@ -185,12 +185,12 @@ STUDIES = {
 
 # Each option of the plane with a value that the plane accepts.
 PLANE_OPTIONS = (
-    "--density 1", "--density-range 0.1,1", "--symmetry p4", "--outline box", "--outline whole",
+    "--density 1", "--density-range 0.1,1", "--symmetry p4",
     "--areas lognormal:0.3", "--areas equal", "--walls x", "--wall-cells half",
     "--budget 5", "--float32",
     "--inclusions s.txt", "--fibres 0.2,3", "--hole fibre", "--fixed f.txt", "--retry 3", "--per-edge 2",
     "--order 2", "--glb-nodes one", "--pixels 64", "--cut 100", "--background none", "--element CPS",
-    "--job elastic", "--thickness 0.1")
+    "--thickness 0.1")
 ERRORS = {
     "space-errors-options": [f"2: mesh --sites 8 {CUBE} {option}" for option in PLANE_OPTIONS],
     "space-errors-choices": [f"2: mesh --sites 8 {CUBE} {option}" for option in (
@@ -209,7 +209,7 @@ ERRORS = {
             "--lattice 1,0,0,0,1,0,1,1,0", "--lattice 1,0,0,0,1,0,0,0,inf", "--lattice 1,0,0,0,1,0",
             "--lattice 1,0,0,0,1,0,0,0,x", "--period 1e200,1e200,1e200", "--period 1,1e-12,1")],
     "space-errors-formats": [f"2: mesh --sites 8 {CUBE} -o t.{name}" for name in
-                             "inp nc gltf html dxf xyz".split()] + [f"2: mesh --sites 8 {CUBE} -o t"],
+                             "nc gltf html dxf xyz".split()] + [f"2: mesh --sites 8 {CUBE} -o t"],
     "space-errors-outputs": [
         f"mesh --sites 8 {CUBE} -o t.vtu -o t.foam", f"3: mesh --sites 8 {CUBE} -o t.vtu -o t.foam",
         f"mesh --sites 9 {CUBE} -o t.vtu -o t.foam --force", f"2: mesh --sites 8 {CUBE} -o a.ply -o ./a.ply",

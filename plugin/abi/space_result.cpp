@@ -118,13 +118,13 @@ pcvt_statistics SpaceResult::statistics() const {
 
 bool SpaceResult::write(const WriteRequest& request, const JobCallback& callback) const {
     // A wrong output is not a fault of the cells.
-    plan_files(job_of(request));
+    const Job asked = job_of(request);
+    SpaceWorld::check_files(asked, plan_files(asked), computed().materials.phase_names);
     std::optional<ProvedSpaceTile> other;
     const auto make_tile = [&](JobMonitor& monitor) -> const ProvedSpaceTile& {
-        const Job wanted = job_of(request);
-        const bool is_box = wanted.tile.outline == plane::Outline::kBox;
-        if (wanted.tile.repeat.n_copies() == 1 && !is_box) return tile(monitor);
-        return other.emplace(SpaceWorld::build_tiles(wanted, {}, computed(), monitor));
+        const bool is_box = asked.tile.outline == plane::Outline::kBox;
+        if (asked.tile.repeat.n_copies() == 1 && !is_box) return tile(monitor);
+        return other.emplace(SpaceWorld::build_tiles(asked, {}, computed(), monitor));
     };
     return from_geometry([&] { return ComputedJob::write(request, make_tile, callback); });
 }
