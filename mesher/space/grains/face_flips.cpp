@@ -16,7 +16,7 @@ constexpr double kFlipGain = 1e-6;
 constexpr double kLeastArea = 1e-3;
 
 /// An edge between two triangles of a face, in the frame of the face.
-struct FaceEdge {
+struct TriangleEdge {
     NodeImage low;
     NodeImage high;
     int triangle;
@@ -24,8 +24,8 @@ struct FaceEdge {
 };
 
 /// The edges of the triangles of a face, so that both triangles of an inner edge follow each other.
-std::vector<FaceEdge> face_edges(const std::vector<SurfaceTriangle>& triangles) {
-    std::vector<FaceEdge> edges;
+std::vector<TriangleEdge> triangle_edges(const std::vector<SurfaceTriangle>& triangles) {
+    std::vector<TriangleEdge> edges;
     for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
         for (int k = 0; k < 3; ++k) {
             const auto [low, high] =
@@ -33,7 +33,7 @@ std::vector<FaceEdge> face_edges(const std::vector<SurfaceTriangle>& triangles) 
             edges.push_back({low, high, t, triangles[t][k]});
         }
     }
-    std::sort(edges.begin(), edges.end(), [](const FaceEdge& e, const FaceEdge& g) {
+    std::sort(edges.begin(), edges.end(), [](const TriangleEdge& e, const TriangleEdge& g) {
         return std::tie(e.low, e.high, e.triangle) < std::tie(g.low, g.high, g.triangle);
     });
     return edges;
@@ -52,11 +52,11 @@ class FaceFlips {
                       complex.faces[f].offset)} {}
 
     void run() {
-        const std::vector<FaceEdge> edges = face_edges(triangles_);
+        const std::vector<TriangleEdge> edges = triangle_edges(triangles_);
         std::vector<char> touched(triangles_.size(), 0);
         for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
-            const FaceEdge& left = edges[k];
-            const FaceEdge& right = edges[k + 1];
+            const TriangleEdge& left = edges[k];
+            const TriangleEdge& right = edges[k + 1];
             if (left.low != right.low || left.high != right.high) continue;
             if (touched[left.triangle] != 0 || touched[right.triangle] != 0) continue;
             if (!flip(left, right)) continue;
@@ -105,7 +105,7 @@ class FaceFlips {
 
     /// Replaces the edge between two triangles by that between their apexes, if the smallest sine
     /// of the tetrahedra at it in both cells rises.
-    bool flip(const FaceEdge& left, const FaceEdge& right) {
+    bool flip(const TriangleEdge& left, const TriangleEdge& right) {
         // The triangle on the left is (a, b, c).
         NodeImage a = left.low;
         NodeImage b = left.high;
