@@ -12,6 +12,8 @@ namespace pcvt {
 struct InpSet {
     std::string name;
     std::vector<int> members = {};
+    /// Whether solvers must keep the order of the members.
+    bool is_ordered = false;
 };
 
 /// A named surface: elements, counted from 0, each with one of its sides, counted from 1 as Abaqus

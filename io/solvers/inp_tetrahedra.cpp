@@ -10,6 +10,7 @@
 #include "io/bytes/bad_file.hpp"
 #include "io/bytes/file_fields.hpp"
 #include "io/bytes/text.hpp"
+#include "io/forms/box_sets.hpp"
 #include "io/forms/entity_mesh.hpp"
 #include "io/forms/lattice_numbers.hpp"
 #include "io/forms/material_words.hpp"
@@ -94,6 +95,9 @@ class TetrahedraInp {
         }
         for (const auto& [offset, nodes] : seams) {
             form_.node_sets.push_back({seam_name(offset), {nodes.begin(), nodes.end()}});
+        }
+        for (BoxSet& set : box_sets(form_.mesh)) {
+            form_.node_sets.push_back({std::move(set.name), std::move(set.nodes), true});
         }
     }
 

@@ -15,7 +15,8 @@ namespace pcvt {
 ///
 /// Element sets: `EALL`; of tetrahedra inside of cells `CELL_s`. Node sets: `NALL`;
 /// `GRAIN_BOUNDARY`, `TRIPLE_LINES` and `QUADRUPLE_POINTS`, the nodes at which two, three and four
-/// cells meet, or more; `seam_I_J_K`, the nodes that I a + J b + K c takes to their partners;
+/// cells meet, or more; `seam_I_J_K`, the nodes that I a + J b + K c takes to their partners; in a
+/// box also those of box_sets(), in the same order on partners;
 /// `FIXED`, one representative; `CONTROL_1`, `CONTROL_2` and `CONTROL_3`. Surfaces:
 /// `GRAIN_BOUNDARY_SIDES`, each triangle between cells once; `PHASE_A_TO_B`, the sides of elements
 /// of phase A at phase B.

@@ -113,7 +113,7 @@ class InpText {
     void append_set(const char* card, const InpSet& set) {
         const std::vector<int>& members = set.members;
         if (members.empty()) return;
-        text_ += card + set.name + "\n";
+        text_ += card + set.name + (set.is_ordered ? ",UNSORTED\n" : "\n");
         for (std::size_t k = 0; k < members.size(); ++k) {
             append_number(text_, members[k] + 1);
             text_ += (k + 1) % kIdsALine == 0 || k + 1 == members.size() ? '\n' : ',';

@@ -8,7 +8,7 @@
 namespace pcvt {
 namespace {
 
-constexpr std::array<SetName, 16> kSetNames{
+constexpr std::array<SetName, 19> kSetNames{
     {{kAllNodesSet, SetForm::kWord, "all nodes"},
      {kAllElementsSet, SetForm::kWord, "all elements"},
      {kFixedSet, SetForm::kWord, "the node that holds the tile"},
@@ -22,6 +22,9 @@ constexpr std::array<SetName, 16> kSetNames{
      {kOrbitSet, SetForm::kNumber, "the cells of an orbit"},
      {kOrientationSet, SetForm::kNumber, "the orientation of a cell"},
      {kSeamSet, SetForm::kOffset, "a part of the seam"},
+     {kSideSet, SetForm::kOffset, "a side of the box"},
+     {kEdgeSet, SetForm::kOffset, "an edge of the box"},
+     {kCornerSet, SetForm::kOffset, "a corner of the box"},
      {kBackPatch, SetForm::kWord, "a side of the layer of cells"},
      {kFrontPatch, SetForm::kWord, "a side of the layer of cells"},
      {kDomainSet, SetForm::kWord, "the whole domain"}}};

@@ -35,8 +35,8 @@ CHOICES = {
 PLANE_ONLY = {
     "area_law", "areas", "background", "budget", "coriolis", "cut", "cut_width", "density", "density_data",
     "density_range", "density_source", "element", "fibres", "fixed", "fixed_sites", "float32", "glb_nodes",
-    "gltf_nodes", "grain_per_edge", "hole", "holes", "inclusions", "n_areas", "n_fixed_sites",
-    "per_edge", "pixels", "retry", "single_precision", "symmetry", "thickness", "wall_cells", "walls",
+    "gltf_nodes", "grain_per_edge", "hole", "holes", "inclusions", "n_areas", "n_fixed_sites", "per_edge", "pixels",
+    "retry", "single_precision", "symmetry", "thickness", "wall_cells", "walls",
 }
 
 # Fields of pcvt.h that state an option whose value is one number.

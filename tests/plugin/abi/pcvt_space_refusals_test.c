@@ -23,8 +23,6 @@ static void each_field_of_the_plane_is_refused_by_its_name(void) {
     } while (0)
     const double three[9] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
     PLANE_FIELD(lattice[2], "lattice", 0.5);
-    PLANE_FIELD(find_origin, "find_origin", 1);
-    PLANE_FIELD(grain_order, "grain_order", 1);
     PLANE_FIELD(grain_per_edge, "grain_per_edge", 2);
     PLANE_FIELD(walls, "walls", PCVT_WALLS_Y);
     PLANE_FIELD(wall_cells, "wall_cells", PCVT_WALL_CELLS_HALF);
@@ -167,7 +165,6 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
         CHECK(strncmp(pcvt_last_error(), name " is not for", sizeof name) == 0); \
         CHECK(!removes_file("refused.vtu"));                                     \
     } while (0)
-    PLANE_FIELD(outline, "outline", PCVT_BOX);
     PLANE_FIELD(colour, "colour 1", PCVT_COLOUR_SIDES);
     PLANE_FIELD(gltf_nodes, "gltf_nodes", PCVT_NODES_ONE);
     PLANE_FIELD(single_precision, "single_precision", 1);
@@ -176,15 +173,21 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
     PLANE_FIELD(cut_width, "cut_width", 100);
     PLANE_FIELD(background, "background", "none");
     PLANE_FIELD(coriolis[0], "coriolis", 1e-4);
-    PLANE_FIELD(job, "job", PCVT_JOB_ELASTIC);
     PLANE_FIELD(thickness, "thickness", 0.1);
 #undef PLANE_FIELD
+    pcvt_write_options job = {0};
+    job.struct_size = sizeof job;
+    job.job = PCVT_JOB_ELASTIC;
+    CHECK(pcvt_write(result, "refused.vtu", &job) == PCVT_ERROR_ARGUMENT);
+    CHECK(strstr(pcvt_last_error(), "no output takes a job of a solver; add one of .inp") != NULL);
+    CHECK(!removes_file("refused.vtu"));
     CHECK(pcvt_write(result, NULL, NULL) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_write(result, "", NULL) == PCVT_ERROR_ARGUMENT);
-    CHECK(pcvt_write(result, "refused.inp", NULL) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(),
-                 ".obj, .ply, .glb, .om, .msh, .vtu, .svg, .png, .foam, .vti, .csv or .txt") !=
-          NULL);
+    CHECK(pcvt_write(result, "refused.nc", NULL) == PCVT_ERROR_ARGUMENT);
+    CHECK(
+        strstr(pcvt_last_error(),
+               ".obj, .ply, .glb, .om, .msh, .inp, .vtu, .svg, .png, .foam, .vti, .csv or .txt") !=
+        NULL);
     pcvt_free(result);
 }
 
@@ -241,7 +244,8 @@ static void tetrahedra_are_for_files_that_hold_them(void) {
     CHECK(removes_file("grains.msh"));
     how.kind = PCVT_DELAUNAY;
     CHECK(pcvt_write(result, "refused.foam", &how) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), "the format holds no tetrahedra; take .msh or .vtu") != NULL);
+    CHECK(strstr(pcvt_last_error(), "the format holds no tetrahedra; take .msh, .inp or .vtu") !=
+          NULL);
     CHECK(pcvt_write(result, "tetrahedra.vtu", &how) == PCVT_OK);
     CHECK(removes_file("tetrahedra.vtu"));
     pcvt_free(result);

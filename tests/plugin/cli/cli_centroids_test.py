@@ -123,7 +123,7 @@ class Centroids(CliTest):
         self.write("v.txt", "1\n2\n")
         self.refuse(2, r"^v\.txt:2: the last of 2 volumes, but there are 3 sites", *run, "--volumes", "v.txt", "--duplicates", "drop")
 
-    def test_cells_that_doubles_do_not_hold_are_refused(self):
+    def test_centroids_that_nearly_coincide_are_refused(self):
         """Two centroids 2e-8 apart, with diameters 0.13 and 4.5, belong to no power cells."""
         self.write("grains.txt", "0.18691108429475145 0.25422977118704937 0.94211657818824979\n"
                                  "0.18691110401043406 0.25422977118704937 0.94211657818824979\n"
@@ -133,7 +133,7 @@ class Centroids(CliTest):
                                  "0.91225220609238566 0.55368492517602352 0.46504039739261305\n"
                                  "0.96075144180815308 0.034310138865351836 0.29239468170545035\n")
         self.write("sizes.txt", "diameter\n0.128923\n4.45243\n2.57475\n0.749935\n0.333288\n0.437902\n0.808724\n")
-        self.refuse(2, "^pcvt: doubles do not hold the power cells .* correct the centroids",
+        self.refuse(2, r"^pcvt: the centroids of grains 0 and 1 nearly coincide, .*; correct one of them",
                     "mesh", "--period", "1,1,1", "--centroids", "grains.txt", "--volumes", "sizes.txt", "--max-iterations", 1,
                     "--origin", "1e3,0,-7", "-o", "t.vtu")
 
