@@ -224,7 +224,7 @@ TEST(PowerCells, TheMatrixHasTheDerivativesOfTheMoments) {
                     u.col(here.delaunay.original_id(s)) +=
                         (du * 0x1p50).array().round().matrix() * 0x1p-50;
                 }
-                return Diagram(Sites(lattice, sites.reduction(), u), weights + t * dw);
+                return Diagram(Sites(sites.lattice(), sites.reduction(), u), weights + t * dw);
             };
             const Eigen::VectorXd areas = measured(here, workers).mass;
             const Eigen::VectorXd difference =
