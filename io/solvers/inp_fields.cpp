@@ -10,10 +10,10 @@ namespace pcvt {
 namespace {
 
 /// The beginnings of the names of the sets that pcvt writes.
-constexpr std::array<std::string_view, 11> kSets{
-    "CELL_",   "SEAM_",          "WALL_",         "FIXED",        "EALL",
-    "NALL",    "GRAIN_BOUNDARY", "TRIPLE_POINTS", "TRIPLE_LINES", "QUADRUPLE_POINTS",
-    "CONTROL_"};
+constexpr std::array<std::string_view, 14> kSets{
+    "CELL_",    "SEAM_",          "WALL_",         "FIXED",        "EALL",
+    "NALL",     "GRAIN_BOUNDARY", "TRIPLE_POINTS", "TRIPLE_LINES", "QUADRUPLE_POINTS",
+    "CONTROL_", "SIDE_",          "EDGE_",         "CORNER_"};
 /// The beginnings of the cards that follow from the materials of a file, where it states them.
 constexpr std::array<std::string_view, 4> kMaterialCards{
     "*ELSET,ELSET=PHASE_", "*SURFACE,NAME=PHASE_", "*ORIENTATION,", "*SOLIDSECTION,"};
@@ -34,6 +34,9 @@ std::string card_name(const std::vector<std::string_view>& words) {
 bool is_set(const std::string& card) {
     return card.starts_with("*NSET,") || card.starts_with("*ELSET,");
 }
+
+/// Whether the order of the members of a set counts.
+bool is_ordered(const std::string& card) { return card.ends_with(",UNSORTED"); }
 
 /// Whether a card begins the sides of elements; their order counts.
 bool is_surface(const std::string& card) { return card.starts_with("*SURFACE,"); }
@@ -131,7 +134,7 @@ std::optional<FileFields> inp_fields(const std::string& name, std::string_view t
         }
     }
     for (auto& [card, members] : fields.parts) {
-        if (is_set(card)) normalise_set(members);
+        if (is_set(card) && !is_ordered(card)) normalise_set(members);
     }
     return fields;
 }

@@ -16,7 +16,7 @@ namespace {
 /// Tetrahedra in n random cells of an oblique lattice, cut at a box.
 ElementMesh grains_in_box(int n, int order) {
     const space::Lattice oblique({1, 0.2, 0.1}, {-0.3, 0.9, 0.2}, {0.4, 0.3, 1.2});
-    const testing::SpaceCase c{"random", oblique, testing::uniform_points(oblique, n, 3)};
+    const testing::SpaceCase c{"random", oblique, uniform_points(oblique, n, 3)};
     const space::Sites sites(oblique, c.points);
     const space::Vec3 origin(0.1, -0.2, 0.3);
     Workers one_worker(1);

@@ -402,6 +402,18 @@ class Boxes(CliTest):
         self.assertEqual(self.path("a.vtu").read_bytes(), self.path("b.vtu").read_bytes())
         self.assertRegex(self.succeed("check", "b.vtu", "b.msh"), r"in 12 cells on .* a box at .*\n.*in 12 cells on .* a box at ")
 
+    def test_a_job_of_a_box_names_its_sides_edges_and_corners_in_the_order_of_partners(self):
+        grains = ("mesh", "--sites", 4, *CUBE, "--max-iterations", 0, "--mesh", "grains", "--size", "0.4", "--outline", "box")
+        self.succeed(*grains, "--phases", "a:0.5,b:0.5", "--material", "same", "--job", "elastic", "-o", "t.inp", "-o", "t.vtu")
+        self.succeed("check", "t.inp", "t.vtu")
+        text = self.path("t.inp").read_text()
+        names = re.findall(r"^\*NSET,NSET=(side|edge|corner)_\S+,UNSORTED$", text, re.M)
+        self.assertEqual([names.count(kind) for kind in ("side", "edge", "corner")], [6, 12, 8])
+        turned = re.sub(r"(NSET=side_1_0_0,UNSORTED\n)(\d+),(\d+)", r"\1\3,\2", text)
+        self.assertNotEqual(turned, text)
+        self.write("turned.inp", turned)
+        self.refuse(2, r"^turned\.inp:\d+: ", "check", "turned.inp")
+
     def test_a_moved_point_of_a_side_is_refuted(self):
         self.succeed("mesh", "--sites", 5, *CUBE, "--outline", "box", "-o", "t.obj")
         text = self.path("t.obj").read_text()
