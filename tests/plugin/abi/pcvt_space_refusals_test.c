@@ -200,7 +200,7 @@ static void voxels_need_three_counts_and_files_that_have_them(void) {
     CHECK(pcvt_write(result, "refused.vti", &how) == PCVT_ERROR_ARGUMENT);
     CHECK(strstr(pcvt_last_error(), "three counts, NX,NY,NZ") != NULL);
     how.voxel_layers = 6;
-    CHECK(pcvt_write(result, "refused.vtu", &how) == PCVT_ERROR_GEOMETRY);
+    CHECK(pcvt_write(result, "refused.vtu", &how) == PCVT_ERROR_ARGUMENT);
     CHECK(strstr(pcvt_last_error(), "a number of voxels; add one of .vti") != NULL);
     CHECK(pcvt_write(result, "space_voxels.vti", &how) == PCVT_OK);
     CHECK(removes_file("space_voxels.vti") && removes_file("space_voxels.material.yaml"));
