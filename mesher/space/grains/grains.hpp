@@ -51,7 +51,7 @@ class NarrowFeature : public LimitExceeded {
     explicit NarrowFeature(SiteId site)
         : LimitExceeded("the cell of site " + std::to_string(site) +
                         " has a face so narrow that a tetrahedron beside it would be flat; remove "
-                        "short edges, or move the site"),
+                        "short edges, move the site, or move the origin of the box"),
           site_(site) {}
     SiteId site() const { return site_; }
 
