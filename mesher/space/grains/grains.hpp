@@ -37,12 +37,7 @@ class FoldedCell : public LimitExceeded {
     explicit FoldedCell(SiteId site)
         : LimitExceeded("the cell of site " + std::to_string(site) +
                         " has no point from which all its faces are visible; remove shorter edges "
-                        "or none"),
-          site_(site) {}
-    SiteId site() const { return site_; }
-
-   private:
-    SiteId site_;
+                        "or none") {}
 };
 
 /// A cell has a face so narrow that a tetrahedron beside it is flat.
@@ -51,12 +46,7 @@ class NarrowFeature : public LimitExceeded {
     explicit NarrowFeature(SiteId site)
         : LimitExceeded("the cell of site " + std::to_string(site) +
                         " has a face so narrow that a tetrahedron beside it would be flat; remove "
-                        "short edges, move the site, or move the origin of the box"),
-          site_(site) {}
-    SiteId site() const { return site_; }
-
-   private:
-    SiteId site_;
+                        "short edges, move the site, or move the origin of the box") {}
 };
 
 /// Fills each cell with tetrahedra: triangulates each face once (grain_surface.hpp), fills the

@@ -60,64 +60,57 @@ void StarShape::add(const CellTetrahedra& cell, int t, int v) {
     }
 }
 
-/// As smallest_sine() of the moved vertex and the three corners.
+/// The shape of the tetrahedron of a moved vertex and the three corners in one lane.
+struct StarShape::LaneShape {
+    /// As smallest_sine().
+    double sine;
+    /// Six times the volume, and the sum of the squared edges.
+    double volume6;
+    double sum_of_squares;
+};
+
+[[gnu::always_inline]] inline StarShape::LaneShape StarShape::shape_in(const Block& block, int lane,
+                                                                       const double* way) {
+    const Arm a = arm_of(block.a, lane, way);
+    const Arm b = arm_of(block.b, lane, way);
+    const Arm c = arm_of(block.c, lane, way);
+    const Arm normal{block.normal[0][lane], block.normal[1][lane], block.normal[2][lane]};
+    const Arm bc = cross(b, c);
+    const Arm ca = cross(c, a);
+    const Arm ab = cross(a, b);
+    const double a_face = dot(bc, bc);
+    const double b_face = dot(ca, ca);
+    const double c_face = dot(ab, ab);
+    const double x_face = block.square[lane];
+    const double aa = dot(a, a);
+    const double bb = dot(b, b);
+    const double cc = dot(c, c);
+    double least = aa * (x_face * a_face);
+    const auto lower = [&least](double other) { least = other < least ? other : least; };
+    lower(bb * (x_face * b_face));
+    lower(cc * (x_face * c_face));
+    lower(block.edge[0][lane] * (b_face * c_face));
+    lower(block.edge[1][lane] * (c_face * a_face));
+    lower(block.edge[2][lane] * (a_face * b_face));
+    const double product = (x_face * a_face) * (b_face * c_face);
+    const double volume6 = dot(normal, a);
+    const double sine = volume6 * std::sqrt(least / product);
+    return {.sine = product > 0 ? sine : -1,
+            .volume6 = volume6,
+            .sum_of_squares =
+                aa + bb + cc + (block.edge[0][lane] + block.edge[1][lane] + block.edge[2][lane])};
+}
+
 PCVT_TARGET_CLONES void StarShape::sines_of(const Block& block, const double* way, double* sines) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-        const Arm a = arm_of(block.a, lane, way);
-        const Arm b = arm_of(block.b, lane, way);
-        const Arm c = arm_of(block.c, lane, way);
-        const Arm normal{block.normal[0][lane], block.normal[1][lane], block.normal[2][lane]};
-        const Arm bc = cross(b, c);
-        const Arm ca = cross(c, a);
-        const Arm ab = cross(a, b);
-        const double a_face = dot(bc, bc);
-        const double b_face = dot(ca, ca);
-        const double c_face = dot(ab, ab);
-        const double x_face = block.square[lane];
-        double least = dot(a, a) * (x_face * a_face);
-        const auto lower = [&least](double other) { least = other < least ? other : least; };
-        lower(dot(b, b) * (x_face * b_face));
-        lower(dot(c, c) * (x_face * c_face));
-        lower(block.edge[0][lane] * (b_face * c_face));
-        lower(block.edge[1][lane] * (c_face * a_face));
-        lower(block.edge[2][lane] * (a_face * b_face));
-        const double product = (x_face * a_face) * (b_face * c_face);
-        const double sine = dot(normal, a) * std::sqrt(least / product);
-        sines[lane] = product > 0 ? sine : -1;
-    }
+    for (int lane = 0; lane < kLanes; ++lane) sines[lane] = shape_in(block, lane, way).sine;
 }
 
 PCVT_TARGET_CLONES void StarShape::sines_and_ratios_of(const Block& block, const double* way,
                                                        double* sines, double* ratios) {
     for (int lane = 0; lane < kLanes; ++lane) {
-        const Arm a = arm_of(block.a, lane, way);
-        const Arm b = arm_of(block.b, lane, way);
-        const Arm c = arm_of(block.c, lane, way);
-        const Arm normal{block.normal[0][lane], block.normal[1][lane], block.normal[2][lane]};
-        const Arm bc = cross(b, c);
-        const Arm ca = cross(c, a);
-        const Arm ab = cross(a, b);
-        const double a_face = dot(bc, bc);
-        const double b_face = dot(ca, ca);
-        const double c_face = dot(ab, ab);
-        const double x_face = block.square[lane];
-        const double aa = dot(a, a);
-        const double bb = dot(b, b);
-        const double cc = dot(c, c);
-        double least = aa * (x_face * a_face);
-        const auto lower = [&least](double other) { least = other < least ? other : least; };
-        lower(bb * (x_face * b_face));
-        lower(cc * (x_face * c_face));
-        lower(block.edge[0][lane] * (b_face * c_face));
-        lower(block.edge[1][lane] * (c_face * a_face));
-        lower(block.edge[2][lane] * (a_face * b_face));
-        const double product = (x_face * a_face) * (b_face * c_face);
-        const double volume6 = dot(normal, a);
-        const double sine = volume6 * std::sqrt(least / product);
-        const double sum =
-            aa + bb + cc + (block.edge[0][lane] + block.edge[1][lane] + block.edge[2][lane]);
-        sines[lane] = product > 0 ? sine : -1;
-        ratios[lane] = volume6 / (sum * std::sqrt(sum));
+        const LaneShape shape = shape_in(block, lane, way);
+        sines[lane] = shape.sine;
+        ratios[lane] = shape.volume6 / (shape.sum_of_squares * std::sqrt(shape.sum_of_squares));
     }
 }
 

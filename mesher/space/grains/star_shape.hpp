@@ -52,6 +52,8 @@ class StarShape {
         double square[kLanes];
         double edge[3][kLanes];
     };
+    struct LaneShape;
+    static LaneShape shape_in(const Block& block, int lane, const double* way);
     static void sines_of(const Block& block, const double* way, double* sines);
     static void sines_and_ratios_of(const Block& block, const double* way, double* sines,
                                     double* ratios);
