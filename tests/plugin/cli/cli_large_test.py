@@ -45,24 +45,24 @@ class Large(CliTest):
         fixed = ["--max-iterations", 0]
         both = ["--mesh", "voronoi", "--mesh", "delaunay"]
         jobs = {
-            "sites": ["--sites", 300_000, *quick, "-o", "s.txt"],
-            "built": ["--sites", 300_000, "--max-iterations", 0],
-            "built in a box": ["--sites", 300_000, *fixed, "--outline", "box", "-o", "s.txt"],
-            "density": ["--sites", 100_000, *density],
-            "cells": ["--sites", 100_000, *quick, "-o", "t.obj"],
-            "triangles": ["--sites", 100_000, *quick, "--mesh", "delaunay", "-o", "t.glb"],
+            "sites": ["--sites", 150_000, *quick, "-o", "s.txt"],
+            "built": ["--sites", 150_000, "--max-iterations", 0],
+            "built in a box": ["--sites", 150_000, *fixed, "--outline", "box", "-o", "s.txt"],
+            "density": ["--sites", 50_000, *density],
+            "cells": ["--sites", 50_000, *quick, "-o", "t.obj"],
+            "triangles": ["--sites", 50_000, *quick, "--mesh", "delaunay", "-o", "t.glb"],
             "grains": ["--sites", 5000, *quick, "--mesh", "grains", "-o", "t.msh"],
-            "tied triangles": ["--sites", 60_000, *fixed, "--mesh", "delaunay", "-o", "t.inp"],
+            "tied triangles": ["--sites", 40_000, *fixed, "--mesh", "delaunay", "-o", "t.inp"],
             "tied grains": ["--sites", 4000, *fixed, "--mesh", "grains", "--outline", "box", "-o", "t.inp"],
-            "grouped triangles": ["--sites", 60_000, *fixed, "--mesh", "delaunay", "-o", "t.msh"],
-            "cut cells": ["--sites", 60_000, *fixed, "--outline", "box", "-o", "t.vtu"],
+            "grouped triangles": ["--sites", 40_000, *fixed, "--mesh", "delaunay", "-o", "t.msh"],
+            "cut cells": ["--sites", 40_000, *fixed, "--outline", "box", "-o", "t.vtu"],
             "curved grains": ["--sites", 4000, *fixed, "--mesh", "grains", "--order", 2, "-o", "t.vtu"],
             "an ocean": ["--sites", 40_000, "--start", "lattice", *fixed, "-o", "t.nc"],
-            "a case": ["--sites", 60_000, *fixed, "--mesh", "delaunay", "-o", "t.foam"],
+            "a case": ["--sites", 40_000, *fixed, "--mesh", "delaunay", "-o", "t.foam"],
             "copies": ["--sites", 10_000, *quick, "--repeat", "3x3", "-o", "t.ply"],
             "two meshes": ["--sites", 50_000, *quick, *both, "-o", "t.obj", "-o", "t.glb"],
             "voxels of few cells": ["--sites", 100, *fixed, "--voxels", "2000,2000", "-o", "t.vti"],
-            "voxels of many cells": ["--sites", 50_000, *fixed, "--voxels", "3000,3000", "-o", "t.vti"],
+            "voxels of many cells": ["--sites", 50_000, *fixed, "--voxels", "2000,2000", "-o", "t.vti"],
             "a picture": ["--sites", 100, *quick, "--pixels", 4000, "-o", "t.png"],
         }
         for name, options in jobs.items():
@@ -77,7 +77,7 @@ class Large(CliTest):
         jobs = [(names, ()) for names in outputs] + [(names, smooth) for names in ((), ("t.vtu",), ("t.foam",))]
         for names, options in jobs:
             with self.subTest(f"{names} {options}"):
-                ratio = self.estimate_by_peak("--sites", 20000, "--period", "1,1,1", "--max-iterations", 1,
+                ratio = self.estimate_by_peak("--sites", 10000, "--period", "1,1,1", "--max-iterations", 1,
                                               *options, *(word for name in names for word in ("-o", name)))
                 self.assertGreater(ratio, 1)
                 self.assertLess(ratio, 1.5)
@@ -101,7 +101,7 @@ class Large(CliTest):
 
     def test_a_hundred_thousand_sites_fit_into_4_GiB(self):
         small = limit(resource.RLIMIT_AS, 4 << 30)
-        self.succeed("mesh", "--sites", 100000, "--max-iterations", 50, "--mesh", "voronoi",
+        self.succeed("mesh", "--sites", 100000, "--max-iterations", 10, "--mesh", "voronoi",
                      "--mesh", "delaunay", "-o", "t.obj", "-o", "t.glb", "--quiet", preexec_fn=small)
         names = [f"t-{kind}.{e}" for kind in ("voronoi", "delaunay") for e in ("obj", "glb")]
         self.assertLessEqual(set(names), set(self.contents()))
