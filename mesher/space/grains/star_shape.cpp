@@ -101,12 +101,14 @@ struct StarShape::LaneShape {
                 aa + bb + cc + (block.edge[0][lane] + block.edge[1][lane] + block.edge[2][lane])};
 }
 
-PCVT_TARGET_CLONES void StarShape::sines_of(const Block& block, const double* way, double* sines) {
+PCVT_TARGET_CLONES void StarShape::sines_of(const Block& block, const double* way,
+                                            double* __restrict sines) {
     for (int lane = 0; lane < kLanes; ++lane) sines[lane] = shape_in(block, lane, way).sine;
 }
 
 PCVT_TARGET_CLONES void StarShape::sines_and_ratios_of(const Block& block, const double* way,
-                                                       double* sines, double* ratios) {
+                                                       double* __restrict sines,
+                                                       double* __restrict ratios) {
     for (int lane = 0; lane < kLanes; ++lane) {
         const LaneShape shape = shape_in(block, lane, way);
         sines[lane] = shape.sine;

@@ -54,9 +54,9 @@ class StarShape {
     };
     struct LaneShape;
     static LaneShape shape_in(const Block& block, int lane, const double* way);
-    static void sines_of(const Block& block, const double* way, double* sines);
-    static void sines_and_ratios_of(const Block& block, const double* way, double* sines,
-                                    double* ratios);
+    static void sines_of(const Block& block, const double* way, double* __restrict sines);
+    static void sines_and_ratios_of(const Block& block, const double* way, double* __restrict sines,
+                                    double* __restrict ratios);
 
     std::vector<Block> blocks_;
     int n_ = 0;
