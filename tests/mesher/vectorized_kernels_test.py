@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""vectorized_kernels_test.py OBJECT...  Every version of the kernels of the energy and of formulas must be vectorised.
+"""vectorized_kernels_test.py OBJECT...  Every version of these kernels must be vectorised: energies, formulas, shapes
+of tetrahedra.
 
 The compiler writes each kernel for three kinds of processors (mesher/base/target_clones.hpp). A version whose
 loop it does not vectorise gives the same numbers, but takes four times as long, and only on processors
 of that kind. All divisions of a kernel of the energy stand in its loop, so that none of them may be scalar; a block
-function has no scalar operation at all.
+function and a shape have no scalar operation at all.
 """
 
 import itertools
@@ -18,7 +19,8 @@ ENERGIES = ("pcvt::space::TetrahedronBlock::compute", "pcvt::plane::TriangleBloc
 BLOCKS = tuple("pcvt::block_" + name for name in (
     "exp log log2 log10 pow sqrt cbrt sinh cosh tanh asinh acosh atanh sin cos tan asin acos atan atan2 "
     "add subtract multiply divide round").split())
-OBJECTS = 7  # three files of energies and power cells, and the files of the block functions
+SHAPES = ("pcvt::space::StarShape::qualities_of", "pcvt::space::StarShape::qualities_and_ratios_of")
+OBJECTS = 8  # three files of energies and power cells, that of shapes, and the files of the block functions
 VERSIONS = ("default", "arch_x86_64_v3", "arch_x86_64_v4")
 
 
@@ -57,8 +59,8 @@ class VectorizedKernels(unittest.TestCase):
                 self.assertTrue(divisions)
                 self.assertTrue(all(word.endswith("pd") for word in divisions), divisions)
 
-    def test_no_version_of_a_block_function_computes_number_by_number(self):
-        for kernel, version in itertools.product(BLOCKS, VERSIONS):
+    def test_no_version_of_a_block_function_or_a_shape_computes_number_by_number(self):
+        for kernel, version in itertools.product(BLOCKS + SHAPES, VERSIONS):
             with self.subTest(kernel=kernel, version=version):
                 words = self.words_of(kernel, version)
                 self.assertTrue(all(word.endswith("pd") for word in words), words)

@@ -142,6 +142,8 @@ std::optional<CellTetrahedra> fill_cell(const CellHull& hull, double size) {
         choices.lattice_edge *= attempt.lattice;
         choices.radius *= attempt.radius;
         CellTetrahedra cell(hull, *centre);
+        // A triangle without an area, from which flips would make tetrahedra that overlap.
+        if (!(cell.worst() > 0)) return std::nullopt;
         insert_lattice(cell, choices, *centre);
         refine(cell, choices);
         climb(cell, attempt.n_relaxations);

@@ -15,6 +15,8 @@ struct CellHull {
     std::vector<Vec3> points = {};
     /// Counter-clockwise seen from outside.
     std::vector<std::array<int, 3>> triangles = {};
+    /// SharpFeatures::near of the cell; empty if the cell has no sharp feature.
+    std::vector<char> near = {};
 
     /// The number of an image that the hull has.
     int find(const NodeImage& image) const;

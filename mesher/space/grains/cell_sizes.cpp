@@ -11,11 +11,6 @@ namespace pcvt::space {
 namespace {
 
 constexpr double kDefaultPart = 1.0 / 3;
-/// The size of tetrahedra in a flat piece of a cell over its thickness, and the least part of their
-/// size in the whole cell. Larger tetrahedra are flat, and smaller ones make those beside them
-/// flat.
-constexpr double kThicknesses = 3;
-constexpr double kLeastPart = 0.3;
 
 /// The width of each cell: the least of its extents normal to its faces, length units.
 std::vector<double> widths(const CellComplex& complex) {
@@ -47,36 +42,6 @@ std::vector<double> widths(const CellComplex& complex) {
     return widths;
 }
 
-/// The volumes of the cells over half of their surfaces: the thickness of flat ones.
-std::vector<double> thicknesses(const CellComplex& complex, const std::vector<CellBody>& bodies) {
-    std::vector<double> surfaces(bodies.size(), 0);
-    for (int f = 0; f < complex.n_faces(); ++f) {
-        const auto corners = complex.corners_of(f);
-        const Vec3 first = complex.position(corners[0]);
-        Vec3 twice = Vec3::Zero();
-        for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-            twice += cross_product(complex.position(corners[k]) - first,
-                                   complex.position(corners[k + 1]) - first);
-        }
-        surfaces[complex.faces[f].cell] += length(twice) / 2;
-        surfaces[complex.faces[f].neighbour] += length(twice) / 2;
-    }
-    std::vector<double> found;
-    for (std::size_t c = 0; c < bodies.size(); ++c) {
-        found.push_back(2 * bodies[c].volume / surfaces[c]);
-    }
-    return found;
-}
-
-/// Makes the sizes of the tetrahedra in flat pieces of cells smaller.
-void limit_in_pieces(const CellComplex& complex, const std::vector<CellBody>& bodies,
-                     std::vector<double>& sizes) {
-    const std::vector<double> thickness = thicknesses(complex, bodies);
-    for (int c = 0; c < complex.n_cells; ++c) {
-        sizes[c] *= std::clamp(kThicknesses * thickness[c] / sizes[c], kLeastPart, 1.0);
-    }
-}
-
 }  // namespace
 
 CellSizes cell_sizes(const CellComplex& complex, double size) {
@@ -88,13 +53,12 @@ CellSizes cell_sizes(const CellComplex& complex, double size) {
     for (int c = 0; c < complex.n_cells; ++c) {
         const double edge = portable_cbrt(volumes[complex.site_of(c)]);
         const double wanted = size > 0 ? std::min(size, kLargestSize * edge) : kDefaultPart * edge;
-        const double thin = kSizeInWidth * width[c];
-        const bool is_flat = thin < kLeastSizeInWidth * wanted;
-        if (is_flat)
+        if (width[c] < kFlatWidth * wanted) {
             all.flat.push_back({c, degrees_between({wanted, 0, 0}, {wanted, width[c], 0})});
-        all.sizes.push_back(is_flat ? wanted : std::min(wanted, thin));
+        }
+        const double thin = kSizeInWidth * width[c];
+        all.sizes.push_back(thin < kLeastSize * wanted ? wanted : std::min(wanted, thin));
     }
-    if (!complex.piece_cell.empty()) limit_in_pieces(complex, bodies, all.sizes);
     return all;
 }
 

@@ -8,16 +8,18 @@ namespace pcvt::space {
 
 /// The largest size of the tetrahedra in a cell over the cube root of its volume.
 inline constexpr double kLargestSize = 0.7;
-/// The same over the width of the cell, so that tetrahedra have a good shape.
-inline constexpr double kSizeInWidth = 0.7;
+/// The same over the width of the cell: one layer of larger tetrahedra has small angles.
+inline constexpr double kSizeInWidth = 2;
 /// The width makes the size smaller by this factor at most: flatter cells keep the size that they
-/// have without it, and get small angles.
-inline constexpr double kLeastSizeInWidth = 0.5;
+/// have without it, since a plate would take a thousand times as many tetrahedra.
+inline constexpr double kLeastSize = 0.3;
+/// Cells narrower than this part of the wanted size are named.
+inline constexpr double kFlatWidth = 0.7;
 
-/// A cell that is too flat for its size.
+/// A cell that is too flat for the wanted size.
 struct FlatCell {
     SiteId cell;
-    /// The arc tangent of its width over its size, degrees.
+    /// The arc tangent of its width over the wanted size, degrees.
     double angle;
 };
 

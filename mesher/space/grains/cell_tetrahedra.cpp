@@ -41,6 +41,7 @@ std::vector<double> hull_sizes(const CellHull& hull) {
 
 CellTetrahedra::CellTetrahedra(const CellHull& hull, const Vec3& centre)
     : n_hull_(static_cast<int>(hull.points.size())),
+      near_(hull.near),
       points_(hull.points),
       sizes_(hull_sizes(hull)),
       one_at_(hull.points.size(), -1),
@@ -89,12 +90,6 @@ int CellTetrahedra::index_of(int t, int v) const {
     int k = 0;
     while (corners_[t][k] != v) ++k;
     return k;
-}
-
-double CellTetrahedra::quality_with(int t, int v, const Vec3& at) const {
-    const FourCorners& c = corners_[t];
-    const auto corner = [&](int k) -> const Vec3& { return c[k] == v ? at : points_[c[k]]; };
-    return smallest_sine(corner(0), corner(1), corner(2), corner(3));
 }
 
 Circumsphere CellTetrahedra::circumsphere_of(int t) const {
@@ -170,7 +165,7 @@ int CellTetrahedra::add(const FourCorners& corners) {
         alive_[t] = 1;
         failures_[t] = {};
     }
-    quality_[t] = smallest_sine_of(corners);
+    quality_[t] = quality_of(corners);
     for (const int v : corners) one_at_[v] = t;
     return t;
 }
@@ -248,6 +243,17 @@ void CellTetrahedra::replace(std::span<const int> old, std::span<const FourCorne
     }
 }
 
+void CellTetrahedra::set_near(const std::vector<char>& near) {
+    if (near == near_) return;
+    near_ = near;
+    ++now_;
+    for (int t = 0; t < n_numbers(); ++t) {
+        if (!is_alive(t)) continue;
+        const double before = std::exchange(quality_[t], quality_of(corners_[t]));
+        if (quality_[t] != before) note_change(corners_[t]);
+    }
+}
+
 void CellTetrahedra::scale(double factor) {
     for (Vec3& p : points_) p *= factor;
     for (double& size : sizes_) size *= factor;
@@ -282,7 +288,7 @@ int CellTetrahedra::add_vertex(const Vec3& at, double size) {
 void CellTetrahedra::update_quality(std::span<const int> tetrahedra) {
     ++now_;
     for (const int t : tetrahedra) {
-        quality_[t] = smallest_sine_of(corners_[t]);
+        quality_[t] = quality_of(corners_[t]);
         note_change(corners_[t]);
     }
 }

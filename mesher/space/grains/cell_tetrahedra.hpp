@@ -48,8 +48,21 @@ class CellTetrahedra {
     const FourCorners& corners(int t) const { return corners_[t]; }
     /// The tetrahedron across the triangle opposite to corner k; -1 on the hull.
     int neighbour(int t, int k) const { return neighbours_[t][k]; }
-    /// The smallest sine of the dihedral angles.
+    /// The smallest sine of the dihedral angles; beside a sharp feature quality_at_feature() of it.
     double quality(int t) const { return quality_[t]; }
+    double quality_of(const FourCorners& c) const {
+        return rated(c, smallest_sine(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]));
+    }
+    /// The quality of a tetrahedron with these corners and this smallest sine.
+    double rated(const FourCorners& c, double sine) const {
+        return is_at_feature(c) ? quality_at_feature(sine) : sine;
+    }
+    /// Whether a corner is near to a sharp feature of the cell.
+    bool is_at_feature(const FourCorners& c) const {
+        return !near_.empty() && (is_near(c[0]) || is_near(c[1]) || is_near(c[2]) || is_near(c[3]));
+    }
+    /// Takes over CellHull::near, for points of the hull that have moved.
+    void set_near(const std::vector<char>& near);
     double worst() const;
     const Vec3& point(int v) const { return points_[v]; }
     /// The target length of edges at a vertex, and at a point near to these vertices.
@@ -68,7 +81,6 @@ class CellTetrahedra {
     bool has_corner(int t, int v) const;
     /// The index of a corner of a tetrahedron.
     int index_of(int t, int v) const;
-    double quality_with(int t, int v, const Vec3& at) const;
     Circumsphere circumsphere_of(int t) const;
     Vec3 barycentre(int t) const;
 
@@ -130,11 +142,10 @@ class CellTetrahedra {
     void note_change(const FourCorners& corners) {
         for (const int v : corners) changes_[v] = now_;
     }
-    double smallest_sine_of(const FourCorners& c) const {
-        return smallest_sine(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]);
-    }
+    bool is_near(int v) const { return v < n_hull_ && near_[v] != 0; }
 
     int n_hull_ = 0;
+    std::vector<char> near_;
     std::vector<Vec3> points_;
     std::vector<double> sizes_;
     /// One tetrahedron at each vertex.

@@ -5,6 +5,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/space/mesh/cell_choice.hpp"
+#include "mesher/space/mesh/cell_ties.hpp"
 
 namespace pcvt::space {
 namespace {
@@ -19,8 +20,10 @@ class GrainLayout {
           hulls_(hulls),
           cells_(cells),
           reduction_(sites.reduction()),
-          frames_(chosen_images(complex, cell_bodies(complex),
-                                domain_corner(sites.lattice(), sites.reduction(), origin))),
+          frames_(tied_images(
+              complex, reduction_,
+              chosen_images(complex, cell_bodies(complex),
+                            domain_corner(sites.lattice(), sites.reduction(), origin)))),
           mesh_{.tetrahedra = {.lattice = sites.lattice()}} {}
 
     GrainMesh build() {

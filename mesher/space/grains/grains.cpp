@@ -44,6 +44,7 @@ class GrainFilling {
         surface_ = grain_surface(complex_, sizes_, workers_);
         report(0.1);
         hulls_ = cell_hulls(complex_, surface_);
+        mark_features();
         fill();
         report(0.5);
         for (int round = 0; round < choices_.n_rounds; ++round) {
@@ -56,12 +57,7 @@ class GrainFilling {
     /// @param complex  the cells in units of length.
     /// @param unit     the unit of the cells that were filled, length units.
     Grains result(const Sites& sites, const CellComplex& complex, double unit, const Vec3& origin) {
-        SharpFeatures sharp = sharp_features(complex_, surface_, hulls_);
-        for (const FlatCell& flat : flat_) {
-            sharp.features.push_back(
-                {SharpFeature::Kind::kFlatCell, flat.cell, complex_.sites[flat.cell], flat.angle});
-            std::fill(sharp.near[flat.cell].begin(), sharp.near[flat.cell].end(), 1);
-        }
+        SharpFeatures sharp = features();
         for (SharpFeature& feature : sharp.features) feature.place *= unit;
         Grains grains{.mesh = {.tetrahedra = {.lattice = sites.lattice()}}};
         std::vector<Angles> angles(cells_.size());
@@ -96,6 +92,27 @@ class GrainFilling {
         for (CellTetrahedra& cell : cells_) cell.scale(factor);
     }
 
+    SharpFeatures features() const {
+        SharpFeatures sharp = sharp_features(complex_, surface_, hulls_);
+        for (const FlatCell& flat : flat_) {
+            sharp.features.push_back(
+                {SharpFeature::Kind::kFlatCell, flat.cell, complex_.sites[flat.cell], flat.angle});
+            std::fill(sharp.near[flat.cell].begin(), sharp.near[flat.cell].end(), 1);
+        }
+        return sharp;
+    }
+
+    /// Marks the points of the hulls that are near to features.
+    void mark_features() {
+        SharpFeatures sharp = features();
+        for (int c = 0; c < complex_.n_cells; ++c) {
+            std::vector<char>& near = sharp.near[c];
+            if (std::find(near.begin(), near.end(), 1) == near.end()) near.clear();
+            if (!cells_.empty()) cells_[c].set_near(near);
+            hulls_[c].near = std::move(near);
+        }
+    }
+
     void fill() {
         std::vector<std::optional<CellTetrahedra>> filled(hulls_.size());
         workers_.for_each(complex_.n_cells,
@@ -120,6 +137,7 @@ class GrainFilling {
             // these.
             hulls_ = {};
             hulls_ = cell_hulls(complex_, surface_);
+            mark_features();
             fill_again();
             const bool is_bad = std::any_of(
                 cells_.begin(), cells_.end(),

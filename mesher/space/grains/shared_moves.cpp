@@ -67,7 +67,7 @@ class NodeMoves {
         for (double step = kFirstSharedStep; step > kLastSharedStep; step /= 2) {
             for (const Vec3& direction : ways) {
                 const Vec3 probe = way + step * shortest * direction;
-                const double worst = shape_.least_sine(probe, best);
+                const double worst = shape_.least_quality(probe, best);
                 if (worst <= best + kSharedProbeGain) continue;
                 best = worst;
                 way = probe;

@@ -44,6 +44,7 @@ void StarShape::add(const CellTetrahedra& cell, int t, int v) {
     const int first = n_++ % kLanes;
     if (first == 0) blocks_.emplace_back();
     Block& block = blocks_.back();
+    const double at_feature = cell.is_at_feature(cell.corners(t)) ? 1 : 0;
     // The lanes behind it repeat the last tetrahedron.
     const int end = first == 0 ? kLanes : first + 1;
     for (int lane = first; lane < end; ++lane) {
@@ -54,6 +55,7 @@ void StarShape::add(const CellTetrahedra& cell, int t, int v) {
             block.normal[k][lane] = normal[k];
         }
         block.square[lane] = squared_length(normal);
+        block.at_feature[lane] = at_feature;
         block.edge[0][lane] = squared_distance(b, c);
         block.edge[1][lane] = squared_distance(c, a);
         block.edge[2][lane] = squared_distance(a, b);
@@ -62,8 +64,8 @@ void StarShape::add(const CellTetrahedra& cell, int t, int v) {
 
 /// The shape of the tetrahedron of a moved vertex and the three corners in one lane.
 struct StarShape::LaneShape {
-    /// As smallest_sine().
-    double sine;
+    /// As CellTetrahedra::quality_of().
+    double quality;
     /// Six times the volume, and the sum of the squared edges.
     double volume6;
     double sum_of_squares;
@@ -95,50 +97,54 @@ struct StarShape::LaneShape {
     const double product = (x_face * a_face) * (b_face * c_face);
     const double volume6 = dot(normal, a);
     const double sine = volume6 * std::sqrt(least / product);
-    return {.sine = product > 0 ? sine : -1,
+    const double lifted = quality_at_feature(sine);
+    const double quality = block.at_feature[lane] > 0 ? lifted : sine;
+    return {.quality = product > 0 ? quality : -1,
             .volume6 = volume6,
             .sum_of_squares =
                 aa + bb + cc + (block.edge[0][lane] + block.edge[1][lane] + block.edge[2][lane])};
 }
 
-PCVT_TARGET_CLONES void StarShape::sines_of(const Block& block, const double* way, double* sines) {
-    for (int lane = 0; lane < kLanes; ++lane) sines[lane] = shape_in(block, lane, way).sine;
+PCVT_TARGET_CLONES void StarShape::qualities_of(const Block& block, const double* way,
+                                                double* __restrict qualities) {
+    for (int lane = 0; lane < kLanes; ++lane) qualities[lane] = shape_in(block, lane, way).quality;
 }
 
-PCVT_TARGET_CLONES void StarShape::sines_and_ratios_of(const Block& block, const double* way,
-                                                       double* sines, double* ratios) {
+PCVT_TARGET_CLONES void StarShape::qualities_and_ratios_of(const Block& block, const double* way,
+                                                           double* __restrict qualities,
+                                                           double* __restrict ratios) {
     for (int lane = 0; lane < kLanes; ++lane) {
         const LaneShape shape = shape_in(block, lane, way);
-        sines[lane] = shape.sine;
+        qualities[lane] = shape.quality;
         ratios[lane] = shape.volume6 / (shape.sum_of_squares * std::sqrt(shape.sum_of_squares));
     }
 }
 
-double StarShape::least_sine(const Vec3& way, double stop) const {
+double StarShape::least_quality(const Vec3& way, double stop) const {
     double least = kUnlimited;
-    double sines[kLanes];
+    double qualities[kLanes];
     for (const Block& block : blocks_) {
-        sines_of(block, way.data(), sines);
-        least = std::min(least, *std::min_element(sines, sines + kLanes));
+        qualities_of(block, way.data(), qualities);
+        least = std::min(least, *std::min_element(qualities, qualities + kLanes));
         if (least <= stop) break;
     }
     return least;
 }
 
 StarShape::Measure StarShape::measure(const Vec3& way, double bound) const {
-    Measure all{.least_sine = kUnlimited, .sum_of_ratios = 0};
-    double sines[kLanes];
+    Measure all{.least_quality = kUnlimited, .sum_of_ratios = 0};
+    double qualities[kLanes];
     double ratios[kLanes];
     int n_left = n_;
     for (const Block& block : blocks_) {
-        sines_and_ratios_of(block, way.data(), sines, ratios);
+        qualities_and_ratios_of(block, way.data(), qualities, ratios);
         const int n_here = std::min(n_left, kLanes);
         n_left -= kLanes;
         for (int lane = 0; lane < n_here; ++lane) {
-            all.least_sine = std::min(all.least_sine, sines[lane]);
+            all.least_quality = std::min(all.least_quality, qualities[lane]);
             all.sum_of_ratios += ratios[lane];
         }
-        if (all.least_sine < bound) break;
+        if (all.least_quality < bound) break;
     }
     return all;
 }

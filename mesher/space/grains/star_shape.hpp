@@ -13,23 +13,23 @@ namespace pcvt::space {
 /// Example usage:
 ///     StarShape shape;
 ///     for (const int t : star) shape.add(cell, t, v);
-///     if (shape.least_sine(way, best) > best) cell.set_point(v, cell.point(v) + way);
+///     if (shape.least_quality(way, best) > best) cell.set_point(v, cell.point(v) + way);
 ///
 /// Laws, tested by number:
-///   (1) least_sine() is the least smallest_sine() of the tetrahedra with the vertex moved, up to
+///   (1) least_quality() is the least quality of the tetrahedra with the vertex moved, up to
 ///       rounding.
-///   (2) measure() gives the least sine and the sum of volume_length_ratio().
+///   (2) measure() gives the least quality and the sum of volume_length_ratio().
 class StarShape {
    public:
     void clear();
     /// Adds a tetrahedron with a corner v. The worst ones should come first.
     void add(const CellTetrahedra& cell, int t, int v);
 
-    /// The least sine with the vertex moved, or one that is at most `stop` if there is any.
-    double least_sine(const Vec3& way, double stop) const;
+    /// The least quality with the vertex moved, or one that is at most `stop` if there is any.
+    double least_quality(const Vec3& way, double stop) const;
     struct Measure {
-        double least_sine;
-        /// Not complete if the least sine is below the bound.
+        double least_quality;
+        /// Not complete if the least quality is below the bound.
         double sum_of_ratios;
     };
     Measure measure(const Vec3& way, double bound) const;
@@ -51,12 +51,14 @@ class StarShape {
         double normal[3][kLanes];
         double square[kLanes];
         double edge[3][kLanes];
+        /// 1 beside a sharp feature, or 0.
+        double at_feature[kLanes];
     };
     struct LaneShape;
     static LaneShape shape_in(const Block& block, int lane, const double* way);
-    static void sines_of(const Block& block, const double* way, double* sines);
-    static void sines_and_ratios_of(const Block& block, const double* way, double* sines,
-                                    double* ratios);
+    static void qualities_of(const Block& block, const double* way, double* __restrict qualities);
+    static void qualities_and_ratios_of(const Block& block, const double* way,
+                                        double* __restrict qualities, double* __restrict ratios);
 
     std::vector<Block> blocks_;
     int n_ = 0;

@@ -27,12 +27,9 @@ int TetrahedronFlips::fourth(int t, int a, int b, int c) const {
 }
 
 double TetrahedronFlips::pair_quality(int a, int b, int i, int k, int j, double least) const {
-    const Vec3& p = cell_.point(ring_[i]);
-    const Vec3& q = cell_.point(ring_[k]);
-    const Vec3& r = cell_.point(ring_[j]);
-    const double below = smallest_sine(cell_.point(a), p, q, r);
+    const double below = cell_.quality_of({a, ring_[i], ring_[k], ring_[j]});
     if (below <= least) return below;
-    return std::min(below, smallest_sine(cell_.point(b), p, r, q));
+    return std::min(below, cell_.quality_of({b, ring_[i], ring_[j], ring_[k]}));
 }
 
 bool TetrahedronFlips::triangulate_ring(int a, int b, double least, FlipPlan& plan) {
@@ -119,11 +116,8 @@ bool TetrahedronFlips::remove_triangle(int t, int k) {
     for (int i = 0; i < 3; ++i) {
         const int p = triangle[i];
         const int q = triangle[(i + 1) % 3];
-        if (!(smallest_sine(cell_.point(a), cell_.point(p), cell_.point(q), cell_.point(b)) >
-              before + 1e-9)) {
-            return false;
-        }
         fresh[i] = {a, p, q, b};
+        if (!(cell_.quality_of(fresh[i]) > before + 1e-9)) return false;
     }
     cell_.replace(std::array{t, o}, fresh);
     return true;

@@ -37,7 +37,9 @@ double VertexInsertion::quality_after(int v, int into, double least) const {
     double worst = kUnlimited;
     for (const int t : star_) {
         if (cell_.has_corner(t, into)) continue;
-        worst = std::min(worst, cell_.quality_with(t, v, cell_.point(into)));
+        FourCorners corners = cell_.corners(t);
+        std::replace(corners.begin(), corners.end(), v, into);
+        worst = std::min(worst, cell_.quality_of(corners));
         if (worst <= least) break;
     }
     return worst;
@@ -132,8 +134,10 @@ void VertexInsertion::add_to_front(const Vec3& x, int t) {
         const int o = cell_.neighbour(t, k);
         if (o >= 0 && cell_.marks()[o] != 0) continue;
         const ThreeCorners c = cell_.triangle(t, k);
-        front_.push_back(
-            {smallest_sine(x, cell_.point(c[0]), cell_.point(c[1]), cell_.point(c[2])), o});
+        const double sine =
+            smallest_sine(x, cell_.point(c[0]), cell_.point(c[1]), cell_.point(c[2]));
+        // The new vertex is not near to a feature.
+        front_.push_back({cell_.rated({c[0], c[0], c[1], c[2]}, sine), o});
     }
 }
 
@@ -148,8 +152,8 @@ bool VertexInsertion::grow(const Vec3& x, double least) {
     while (!grown) {
         const auto worst =
             std::min_element(front_.begin(), front_.end(),
-                             [](const Side& s, const Side& r) { return s.sine < r.sine; });
-        grown = worst->sine > least;
+                             [](const Side& s, const Side& r) { return s.quality < r.quality; });
+        grown = worst->quality > least;
         const int beyond = worst->beyond;
         if (grown || beyond < 0 || static_cast<int>(inside_.size()) > kMostInside) break;
         marks[beyond] = 1;

@@ -27,10 +27,10 @@ class VertexInsertion {
     bool insert_at(int t, const Vec3& x, const std::vector<int>& holders);
     bool insert_near(int t);
     bool insert_into_longest_edge(int t);
-    /// A triangle that bounds `inside_`: the smallest sine of its tetrahedron with the new vertex,
-    /// and the tetrahedron beyond, or -1.
+    /// A triangle that bounds `inside_`: the quality of its tetrahedron with the new vertex, and
+    /// the tetrahedron beyond, or -1.
     struct Side {
-        double sine;
+        double quality;
         int beyond;
     };
     void add_to_front(const Vec3& x, int t);

@@ -56,7 +56,7 @@ void VertexMoves::relax_vertex(int v) {
     const StarShape::Centres centres = shape_.centres();
     for (const Vec3& way : {centres.of_spheres, centres.of_corners, Vec3(centres.of_corners / 2)}) {
         const StarShape::Measure there = shape_.measure(way, least);
-        if (!(there.least_sine >= least) || !(there.sum_of_ratios > ratio)) continue;
+        if (!(there.least_quality >= least) || !(there.sum_of_ratios > ratio)) continue;
         cell_.set_point(v, cell_.point(v) + way);
         cell_.update_quality(star_);
         return;
@@ -94,7 +94,7 @@ bool VertexMoves::climb(int v, double target) {
     double best = start;
     Vec3 way = Vec3::Zero();
     const auto probe = [&](const Vec3& other) {
-        const double worst = shape_.least_sine(other, best);
+        const double worst = shape_.least_quality(other, best);
         if (!(worst > best + kProbeGain)) return false;
         best = worst;
         way = other;

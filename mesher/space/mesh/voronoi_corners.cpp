@@ -28,6 +28,8 @@ using WideMatrix = Eigen::Matrix<WideDouble, 3, 3>;
 struct Centre {
     Vec3 position;
     bool is_determined;
+    /// The position is that of a neighbour.
+    bool is_borrowed = false;
 };
 
 /// By how much the rounding of coordinates to 2^-50 may move a site.
@@ -113,7 +115,6 @@ void merge_close(const Sites& sites, const TorusTetrahedra& tetrahedra,
         if (other < f) continue;
         const Centre& here = centres[f / 4];
         const Centre& there = centres[other / 4];
-        if (!here.is_determined || !there.is_determined) continue;
         // Most centres differ by more than rounding of the translation could bring together.
         const Offset frame = tetrahedra.frame_across(f);
         const Vec3 gap = there.position + lattice.translation(frame) - here.position;
@@ -122,7 +123,8 @@ void merge_close(const Sites& sites, const TorusTetrahedra& tetrahedra,
 }
 
 /// Gives each flat tetrahedron the centre of a neighbour.
-void merge_flat(const TorusTetrahedra& tetrahedra, std::vector<Centre>& centres, Merged& merged) {
+void merge_flat(const Lattice& lattice, const TorusTetrahedra& tetrahedra,
+                std::vector<Centre>& centres, Merged& merged) {
     std::vector<int> flat;
     for (int t = 0; t < tetrahedra.n_tetrahedra(); ++t) {
         if (!centres[t].is_determined) flat.push_back(t);
@@ -133,10 +135,9 @@ void merge_flat(const TorusTetrahedra& tetrahedra, std::vector<Centre>& centres,
             for (int f = 4 * t; f < 4 * t + 4 && !centres[t].is_determined; ++f) {
                 const int neighbour = tetrahedra.opposite(f) / 4;
                 if (!centres[neighbour].is_determined) continue;
-                merged.join(t, neighbour, tetrahedra.frame_across(f));
-                // Its position counts for nothing, since it is merged.
-                centres[t].is_determined = true;
-                centres[t].position.setConstant(std::nan(""));
+                const Offset frame = tetrahedra.frame_across(f);
+                merged.join(t, neighbour, frame);
+                centres[t] = {centres[neighbour].position + lattice.translation(frame), true, true};
             }
             if (!centres[t].is_determined) left.push_back(t);
         }
@@ -152,8 +153,9 @@ VoronoiCorners voronoi_corners(const Sites& sites, const TorusTetrahedra& tetrah
     std::vector<Centre> centres = circumcentres(sites, tetrahedra, weights);
     const int n = tetrahedra.n_tetrahedra();
     Merged merged(n);
+    // The centres on both sides of a flat tetrahedron may be one.
+    merge_flat(sites.reduction().reduced, tetrahedra, centres, merged);
     merge_close(sites, tetrahedra, centres, merged);
-    merge_flat(tetrahedra, centres, merged);
     // Number the sets by their first members whose centres are determined.
     VoronoiCorners corners;
     corners.of_tetrahedron.resize(static_cast<std::size_t>(n));
@@ -161,7 +163,7 @@ VoronoiCorners voronoi_corners(const Sites& sites, const TorusTetrahedra& tetrah
     std::vector<Offset> frame(static_cast<std::size_t>(n));
     for (int t = 0; t < n; ++t) {
         checkpoint_each(t);
-        if (!centres[t].position.allFinite()) continue;
+        if (centres[t].is_borrowed) continue;
         const auto [root, offset] = merged.root(t);
         if (number[root] >= 0) continue;
         number[root] = static_cast<int>(corners.positions.size());

@@ -92,6 +92,14 @@ TEST(CellTetrahedra, StarAndRefinementsFillTheHull) {
     }
 }
 
+/// Flips would make tetrahedra that overlap.
+TEST(FillCell, RefusesATriangleWithoutAnArea) {
+    CellHull hull = random_hulls(3).front();
+    const auto [a, b, c] = hull.triangles.front();
+    hull.points[c] = (hull.points[a] + hull.points[b]) / 2;
+    EXPECT_FALSE(fill_cell(hull, spacing() / 3).has_value());
+}
+
 TEST(CellTetrahedra, LocateFindsTheTetrahedronThatHoldsAPoint) {
     const CellHull hull = random_hulls(2).front();
     CellTetrahedra cell = star_of(hull);

@@ -6,11 +6,16 @@
 #include <map>
 #include <set>
 
+#include "mesher/space/box/box_cells.hpp"
 #include "mesher/space/cvt/cvt.hpp"
 #include "mesher/space/cvt/weighted_cells.hpp"
+#include "mesher/space/grains/cell_filling.hpp"
+#include "mesher/space/grains/cell_sizes.hpp"
+#include "mesher/space/grains/shared_moves.hpp"
 #include "mesher/space/mesh/short_edges.hpp"
 #include "mesher/space/proof/tetrahedral_proof.hpp"
 #include "tests/support/case_count.hpp"
+#include "tests/support/grain_cases.hpp"
 #include "tests/support/polyhedra.hpp"
 #include "tests/support/random_numbers.hpp"
 
@@ -181,6 +186,84 @@ TEST(Grains, HaveNoSmallAnglesInCentroidalCells) {
     std::nth_element(angles.begin(), hundredth, angles.end());
     EXPECT_GE(*hundredth, 27);
     EXPECT_NEAR(static_cast<double>(angles.size()) / complex.n_cells, 300, 60);
+}
+
+/// Cells of plates touch their own images, so that a move changes a tetrahedron with two images of
+/// the node twice.
+TEST(SharedMoves, RaiseTheSmallestSineOfPlatesThatMeetThemselves) {
+    Workers one_worker(1);
+    const Lattice plate = Lattice::box(1, 1, 0.05);
+    const auto c = testing::voronoi_case(plate, uniform_points(plate, 3, 3));
+    const std::vector<double> sizes = cell_sizes(c.complex, c.sites.spacing()).sizes;
+    GrainSurface surface = grain_surface(c.complex, sizes, one_worker);
+    std::vector<CellHull> hulls = cell_hulls(c.complex, surface);
+    std::vector<CellTetrahedra> cells;
+    for (std::size_t k = 0; k < hulls.size(); ++k) {
+        cells.push_back(*fill_cell(hulls[k], sizes[k]));
+    }
+    const auto worst = [&] {
+        return std::min({cells[0].worst(), cells[1].worst(), cells[2].worst()});
+    };
+    SharedMoves shared(c.complex, surface, hulls, cells, one_worker);
+    for (int k = 0; k < 2; ++k) {
+        const double before = worst();
+        shared.move_nodes();
+        EXPECT_GE(worst(), before);
+    }
+}
+
+/// A node of tetrahedra of order 2: a point twice, or the ends of the edge in whose middle it lies.
+using Node = std::array<int, 2>;
+
+std::vector<Node> nodes_of(const Triple& triangle) {
+    const auto [a, b, c] = sorted(triangle);
+    return {{a, a}, {b, b}, {c, c}, {a, b}, {b, c}, {a, c}};
+}
+
+/// The place of a node in the unit cube, in steps of 1e-5.
+std::array<int, 3> place_in_cube(const TetrahedralMesh& mesh, const Node& node) {
+    const Vec3 p = (mesh.points[node[0]] + mesh.points[node[1]]) / 2;
+    const auto step = [](double x) {
+        // Sides of the cube and of steps lie where rounding does not matter.
+        x += 0.123'456;
+        return static_cast<int>(1e5 * (x - std::floor(x)));
+    };
+    return {step(p.x()), step(p.y()), step(p.z())};
+}
+
+/// Law (3) of tied_images(), counted from positions: of the images of each node on the seam one
+/// lies on no slave, a triangle at the larger offset of its pair.
+void expect_ties(const GrainMesh& mesh) {
+    std::map<Node, bool> is_tied;
+    for (const GrainTriangle& triangle : mesh.triangles) {
+        if (triangle.offset == Offset{}) continue;
+        const bool is_slave = triangle.offset < Offset{};
+        for (const Node& node : nodes_of(triangle.points)) is_tied[node] |= is_slave;
+        for (const Node& node : nodes_of(triangle.partners)) is_tied[node] |= !is_slave;
+    }
+    std::map<std::array<int, 3>, int> n_masters;
+    for (const auto& [node, tied] : is_tied) {
+        n_masters[place_in_cube(mesh.tetrahedra, node)] += tied ? 0 : 1;
+    }
+    for (const auto& [place, n] : n_masters) EXPECT_EQ(n, 1);
+}
+
+/// The lattice of three sites leaves two vertices and an edge untied unless cells are moved.
+TEST(Grains, TieEachNodeOfALatticeToOneMaster) {
+    const Lattice cube = Lattice::box(1, 1, 1);
+    Workers one_worker(1);
+    for (int n = 1; n <= 8; ++n) {
+        SCOPED_TRACE(n);
+        const Sites sites(cube, testing::lattice_points(n));
+        const CellComplex complex = testing::complex_of({"", cube, testing::lattice_points(n)});
+        for (const CellComplex& cells : {complex, cells_in_box(sites, complex, Vec3::Zero())}) {
+            const Grains grains =
+                mesh_grains(sites, cells, {.size = sites.spacing(), .n_rounds = 0}, one_worker);
+            const TetrahedralMesh& mesh = grains.mesh.tetrahedra;
+            EXPECT_EQ(n_untied_points(mesh, prove_tetrahedra(mesh)), 0);
+            expect_ties(grains.mesh);
+        }
+    }
 }
 
 /// Law (3) of mesh_grains().

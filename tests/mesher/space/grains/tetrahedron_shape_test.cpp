@@ -64,5 +64,20 @@ TEST(TetrahedronShape, SphereHoldsWhatIsNearerThanItsRadius) {
     }
 }
 
+/// Raised where angles are small, and otherwise as it is, so that order and sign remain.
+TEST(QualityAtFeature, RisesWithTheSine) {
+    double before = -2;
+    for (double sine = -1; sine <= 1; sine += 0.001) {
+        const double quality = quality_at_feature(sine);
+        EXPECT_GT(quality, before);
+        EXPECT_GE(quality, sine);
+        EXPECT_EQ(quality > sine + 1e-12, sine > 1e-9 && sine < 0.32 - 1e-9) << sine;
+        before = quality;
+    }
+    EXPECT_EQ(quality_at_feature(-0.2), -0.2);
+    EXPECT_GT(quality_at_feature(std::sin(1.5 / 180 * std::numbers::pi)),
+              std::sin(10.0 / 180 * std::numbers::pi));
+}
+
 }  // namespace
 }  // namespace pcvt::space

@@ -102,6 +102,21 @@ TEST(CellComplex, OfLatticesHasTheFacesOfTheirPolyhedra) {
     }
 }
 
+/// Flat tetrahedra between two others hide that the centres of these are one: 38 sites.
+TEST(CellComplex, HasNoEdgesOfTheLengthOfRounding) {
+    const Lattice cube = Lattice::box(1, 1, 1);
+    for (int n = 1; n <= 40; ++n) {
+        const CellComplex complex = complex_of({"", cube, testing::lattice_points(n)});
+        for (int f = 0; f < complex.n_faces(); ++f) {
+            const auto corners = complex.corners_of(f);
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                const Vec3 next = complex.position(corners[(k + 1) % corners.size()]);
+                EXPECT_GT((complex.position(corners[k]) - next).norm(), 1e-3) << n;
+            }
+        }
+    }
+}
+
 /// Moments of cells give the energies in closed form.
 TEST(CellBodies, HaveTheMomentsOfLattices) {
     const Lattice cube = Lattice::box(1, 1, 1);
