@@ -60,6 +60,17 @@ LaplacianSolver::Level LaplacianSolver::finest_level(const CellGraph& graph) {
     return level;
 }
 
+void LaplacianSolver::replace_finest(const CellGraph& graph) {
+    Level level = finest_level(graph);
+    Level& finest = levels_.front();
+    finest.row_begin.swap(level.row_begin);
+    finest.lower_end.swap(level.lower_end);
+    finest.column.swap(level.column);
+    finest.conductance.swap(level.conductance);
+    finest.inverse_diagonal.swap(level.inverse_diagonal);
+    if (levels_.size() == 1) factorize_coarsest();
+}
+
 /// The other row of a bound pair, or -1.
 int LaplacianSolver::bound_partner(const Level& level, int row) {
     int partner = -1;

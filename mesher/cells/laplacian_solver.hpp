@@ -41,6 +41,10 @@ class LaplacianSolver {
     /// Builds the hierarchy. O(n).
     explicit LaplacianSolver(const CellGraph& graph, Aggregation aggregation = Aggregation::kPairs);
 
+    /// Takes the conductances of another graph of as many rows, and keeps the hierarchy, which
+    /// serves as well if the conductances are nearly equal.
+    void replace_finest(const CellGraph& graph);
+
     /// @param b         its mean is ignored, since A annihilates constants.
     /// @param accuracy  the largest |A x - b| / |b|.
     /// @returns the number of products with A.

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <limits>
+#include <optional>
 
 #include "mesher/base/workers.hpp"
 #include "mesher/cells/cell_graph.hpp"
@@ -37,9 +39,18 @@ using NewtonCallback = std::function<void(const SizeFigures&)>;
 ///
 /// whose gradient is s - m, with m the sizes of the cells, and whose Hessian is minus the Laplacian
 /// of the cells' adjacency (cell_graph.hpp). Newton's method is damped (J. Kitagawa, Q. Merigot, B.
-/// Thibert 2019): a step is halved until every cell keeps at least half of the least size, that of
-/// the targets and of the start, and the error |s - m| falls by the factor 1 - t / 2. A step that
-/// would hide a cell is halved as well.
+/// Thibert 2019): a step t is shortened until no cell is hidden, every cell keeps at least half of
+/// the least size, that of the targets and of the start, and the error falls by the factor 1 - t
+/// / 2.
+///
+/// Far from the solution, steps solve the equations sqrt(m_i) = sqrt(s_i) instead of m_i = s_i,
+/// because the size of a cell whose neighbours stay grows with its weight like a power above one.
+/// Their linear form aims at the change of sizes
+///
+///   2 (L sqrt(m_i s_i) - m_i),   L = sum of m / sum of sqrt(m_i s_i) >= 1,
+///
+/// and the error is |sqrt(s) - sqrt(m)|, which falls by a factor near 1 - t along each such step.
+/// This saves a fifth to a third of the steps.
 ///
 /// Weights are doubles. The size m_i changes with the weight w_j by the conductance c_ij, the
 /// length or area of the common side over twice the distance of its sites. A step rounds each
@@ -117,10 +128,23 @@ class SizeNewton {
                   double tolerance) const;
     void begin(double least_target);
     enum class Outcome { kAccepted, kRounding, kTooShort };
-    Outcome search(const Eigen::VectorXd& targets, const Eigen::VectorXd& direction,
-                   double tolerance, double shortest, double least_size, SizeFigures& figures);
-    bool step(const Eigen::VectorXd& targets, double tolerance, double least_size,
-              SizeFigures& figures);
+    /// One call of solve().
+    struct Iteration {
+        const Eigen::VectorXd& targets;
+        double tolerance;
+        double least_size;
+        SizeFigures figures = {};
+        double last_error = std::numeric_limits<double>::infinity();
+        /// The hierarchy of an earlier step, and the error of the sizes when it was built.
+        std::optional<LaplacianSolver> solver = {};
+        double solver_error = std::numeric_limits<double>::infinity();
+    };
+    double distance(const Iteration& now, const Eigen::VectorXd& sizes, bool is_far) const;
+    Eigen::VectorXd aim(const Iteration& now, const Eigen::VectorXd& error) const;
+    static double accuracy(const Iteration& now, double error);
+    static LaplacianSolver& prepare(Iteration& now, const CellGraph& cells, double error);
+    Outcome search(Iteration& now, const Eigen::VectorXd& direction, double shortest);
+    bool step(Iteration& now);
 
     WeightOrbits orbits_;
     Diagram here_;

@@ -13,12 +13,17 @@ namespace pcvt {
 namespace detail {
 
 /// The linear equations are solved to this relative residual at first. Near the solution they are
-/// solved to a multiple of the error, so that convergence stays quadratic, or so far that the error
-/// of the least size meets the tolerance, which suffices for the last step.
+/// solved to a share of r^(3/2) where the last step lowered the error by the factor r, a little
+/// less than the next step can lower it, or so far that the error of the least size meets the
+/// tolerance, which suffices for the last step.
 inline constexpr double kLoosest = 1e-2;
-inline constexpr double kPerError = 0.3;
+inline constexpr double kPerReduction = 0.5;
 inline constexpr double kPerTolerance = 0.1;
 inline constexpr double kTightest = 1e-8;
+/// Errors above this, relative to the sizes, are far from the solution.
+inline constexpr double kFar = 1e-4;
+/// Coarse problems of an earlier step serve as well once the error is below this.
+inline constexpr double kFixedCoarse = 0.1;
 /// Where only steps below this are acceptable along an approximate solution, its error exceeds the
 /// sizes of small cells, and it is solved again to a fraction of the residual.
 inline constexpr double kShortForApproximate = 0x1p-6;
@@ -27,6 +32,9 @@ inline constexpr double kTighter = 1e-3;
 inline constexpr double kSmallestWarmCell = 0.1;
 /// The first trial is this many times as long as the last step, at most the full one.
 inline constexpr double kLonger = 4;
+/// A step that is not acceptable is shortened by the first factor down to kLong, then halved.
+inline constexpr double kShorter = 0.8;
+inline constexpr double kLong = 0.25;
 /// A step shorter than this makes no progress.
 inline constexpr double kShortestStep = 0x1p-30;
 /// Errors below this, relative to the sizes, or below a few roundings, may be rounding: steps are
@@ -89,28 +97,47 @@ void SizeNewton<Diagram>::begin(double least_target) {
     here_.set_weights(Eigen::VectorXd::Zero(here_.n_sites()));
 }
 
-/// Halves the step along `direction` until it is acceptable, or shorter than `shortest`.
+/// The error of sizes, of which a step must lower its share.
 template <class Diagram>
-typename SizeNewton<Diagram>::Outcome SizeNewton<Diagram>::search(const Eigen::VectorXd& targets,
+double SizeNewton<Diagram>::distance(const Iteration& now, const Eigen::VectorXd& sizes,
+                                     bool is_far) const {
+    if (!is_far) return (now.targets - sizes).norm();
+    return (now.targets.cwiseSqrt() - sizes.cwiseSqrt()).norm();
+}
+
+/// The change of sizes that a full step aims at.
+/// @param error  s - m
+template <class Diagram>
+Eigen::VectorXd SizeNewton<Diagram>::aim(const Iteration& now, const Eigen::VectorXd& error) const {
+    if (error.norm() < detail::kFar * now.targets.norm()) return error;
+    const Eigen::VectorXd mean = sizes().cwiseProduct(now.targets).cwiseSqrt();
+    return 2 * (sizes().sum() / mean.sum() * mean - sizes());
+}
+
+/// Shortens the step along `direction` until it is acceptable, or shorter than `shortest`.
+template <class Diagram>
+typename SizeNewton<Diagram>::Outcome SizeNewton<Diagram>::search(Iteration& now,
                                                                   const Eigen::VectorXd& direction,
-                                                                  double tolerance, double shortest,
-                                                                  double least_size,
-                                                                  SizeFigures& figures) {
-    const double error = (targets - here_.sizes()).norm();
-    const bool near = error < std::max(detail::kRounding * targets.norm(),
-                                       detail::kPerRounding * roundings_.norm());
-    const double here = near ? excess(here_.sizes(), targets, tolerance) : 0;
-    for (double t = std::min(1.0, detail::kLonger * last_step_); t >= shortest; t /= 2) {
+                                                                  double shortest) {
+    const Eigen::VectorXd& targets = now.targets;
+    const double norm = (targets - here_.sizes()).norm();
+    const bool is_far = norm >= detail::kFar * targets.norm();
+    const bool near = norm < std::max(detail::kRounding * targets.norm(),
+                                      detail::kPerRounding * roundings_.norm());
+    const double error = distance(now, here_.sizes(), is_far);
+    const double here = near ? excess(here_.sizes(), targets, now.tolerance) : 0;
+    double t = std::min(1.0, detail::kLonger * last_step_);
+    for (; t >= shortest; t *= t > detail::kLong ? detail::kShorter : 0.5) {
         trial_.start(here_);
         // Round each weight once.
         const double mean = (here_.weights() + t * direction).mean();
         Eigen::VectorXd weights = here_.weights().array() + (t * direction.array() - mean);
-        ++figures.trials;
+        ++now.figures.trials;
         if (!trial_.set_weights(std::move(weights))) continue;
-        if (!(trial_.sizes().minCoeff() >= least_size)) continue;
-        const bool lower = (targets - trial_.sizes()).norm() <= (1 - t / 2) * error;
+        if (!(trial_.sizes().minCoeff() >= now.least_size)) continue;
+        const bool lower = distance(now, trial_.sizes(), is_far) <= (1 - t / 2) * error;
         // A cell of rounding size must not keep the error of others, nor the others that cell's.
-        if (lower || (near && excess(trial_.sizes(), targets, tolerance) <=
+        if (lower || (near && excess(trial_.sizes(), targets, now.tolerance) <=
                                   std::max(1.0, (1 - t / 2) * here))) {
             std::swap(here_, trial_);
             last_step_ = t;
@@ -121,31 +148,57 @@ typename SizeNewton<Diagram>::Outcome SizeNewton<Diagram>::search(const Eigen::V
     return Outcome::kTooShort;
 }
 
+/// The relative residual to which the linear equations are solved at first.
+/// @param error  |s - m|
+template <class Diagram>
+double SizeNewton<Diagram>::accuracy(const Iteration& now, double error) {
+    const double least_error =
+        now.tolerance * now.targets.minCoeff() * std::sqrt(double(now.targets.size()));
+    const double reduction = error / now.last_error;
+    const double next = detail::kPerReduction * reduction * std::sqrt(reduction);
+    const double of_last = detail::kPerTolerance * least_error / error;
+    return std::min(now.last_error < std::numeric_limits<double>::infinity()
+                        ? std::max(next, of_last)
+                        : detail::kLoosest,
+                    detail::kLoosest);
+}
+
+/// The solver of the next step.
+/// @param error  |s - m|
+template <class Diagram>
+LaplacianSolver& SizeNewton<Diagram>::prepare(Iteration& now, const CellGraph& cells,
+                                              double error) {
+    if (now.solver_error < detail::kFixedCoarse * now.targets.norm()) {
+        now.solver->replace_finest(cells);
+    } else {
+        now.solver.emplace(cells, Diagram::kAggregation);
+        now.solver_error = error;
+    }
+    return *now.solver;
+}
+
 /// Takes one damped step; returns false if no step lowers the error.
 template <class Diagram>
-bool SizeNewton<Diagram>::step(const Eigen::VectorXd& targets, double tolerance, double least_size,
-                               SizeFigures& figures) {
-    const Eigen::VectorXd error = targets - here_.sizes();
-    const Eigen::VectorXd error_of_orbits = orbits_.sums(error);
+bool SizeNewton<Diagram>::step(Iteration& now) {
+    const Eigen::VectorXd error = now.targets - here_.sizes();
     const CellGraph cells = graph();
     roundings_ = orbits_.spread(orbit_roundings(cells, Diagram::kAimedRounding));
-    if (excess(here_.sizes(), targets, tolerance) <= 1) return false;
-    LaplacianSolver solver(cells, Diagram::kAggregation);
+    if (excess(here_.sizes(), now.targets, now.tolerance) <= 1) return false;
+    LaplacianSolver& solver = prepare(now, cells, error.norm());
+    const Eigen::VectorXd aim_of_orbits = orbits_.sums(aim(now, error));
     Eigen::VectorXd direction;
-    const double least_error = tolerance * targets.minCoeff() * std::sqrt(double(targets.size()));
-    double accuracy = std::max(detail::kPerError * error.norm() / targets.norm(),
-                               detail::kPerTolerance * least_error / error.norm());
-    for (accuracy = std::min(accuracy, detail::kLoosest);; accuracy *= detail::kTighter) {
-        const bool tightest = accuracy <= detail::kTightest;
-        figures.products +=
-            solver.solve(error_of_orbits, std::max(accuracy, detail::kTightest), direction);
+    for (double wanted = accuracy(now, error.norm());; wanted *= detail::kTighter) {
+        const bool tightest = wanted <= detail::kTightest;
+        now.figures.products +=
+            solver.solve(aim_of_orbits, std::max(wanted, detail::kTightest), direction);
         const double shortest = tightest ? detail::kShortestStep : detail::kShortForApproximate;
         // What looks like rounding may be the error of the solution.
-        const Outcome outcome =
-            search(targets, orbits_.spread(direction), tolerance, shortest, least_size, figures);
-        if (outcome == Outcome::kAccepted) return true;
+        const Outcome outcome = search(now, orbits_.spread(direction), shortest);
+        if (outcome == Outcome::kAccepted) break;
         if (tightest) return false;
     }
+    now.last_error = error.norm();
+    return true;
 }
 
 template <class Diagram>
@@ -153,17 +206,20 @@ SizeFigures SizeNewton<Diagram>::solve(const Eigen::VectorXd& targets, double to
                                        const NewtonCallback& callback) {
     begin(targets.minCoeff());
     last_step_ = 1;
-    const double least_size = std::min(targets.minCoeff(), sizes().minCoeff()) / 2;
-    SizeFigures figures;
+    Iteration now{.targets = targets,
+                  .tolerance = tolerance,
+                  .least_size = std::min(targets.minCoeff(), sizes().minCoeff()) / 2};
+    SizeFigures& figures = now.figures;
     for (;;) {
         figures.largest_relative_error = detail::largest_error(sizes(), targets);
         figures.converged = figures.largest_relative_error <= tolerance;
         if (callback) callback(figures);
         if (figures.converged) return figures;
         if (figures.newton_steps == detail::kMostSteps) break;
-        if (!step(targets, tolerance, least_size, figures)) break;
+        if (!step(now)) break;
         ++figures.newton_steps;
     }
+    now.solver.reset();
     const Eigen::VectorXd bound = orbits_.spread(orbit_roundings(graph(), Diagram::kSizeRounding));
     figures.rounding = bound.cwiseQuotient(targets).maxCoeff();
     figures.converged =

@@ -28,7 +28,7 @@ class PowerDiagram {
     /// Roundings of weights, and of the heights that follow from them, add up in one area: 64.
     static constexpr double kSizeRounding = 64 * kUnitRoundoff;
     static constexpr double kAimedRounding = 8 * kUnitRoundoff;
-    static constexpr auto kAggregation = LaplacianSolver::Aggregation::kPairs;
+    static constexpr auto kAggregation = LaplacianSolver::Aggregation::kStrong;
     /// Weights of an earlier call are tried as they are.
     static constexpr int kWarmTrials = 1;
 
