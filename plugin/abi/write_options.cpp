@@ -15,6 +15,8 @@ static_assert(mesh_kind_row(plane::MeshKind::kDelaunay).abi_value == PCVT_DELAUN
 static_assert(mesh_kind_row(plane::MeshKind::kGrains).abi_value == PCVT_GRAINS);
 static_assert(find_abi_value(kPlaneElements, PCVT_CPE)->element == PlaneElement::kStrain);
 static_assert(find_abi_value(kPlaneElements, PCVT_CPS)->element == PlaneElement::kStress);
+static_assert(find_abi_value(kPlaneElements, PCVT_C3D6)->element == PlaneElement::kWedge6);
+static_assert(find_abi_value(kPlaneElements, PCVT_C3D15)->element == PlaneElement::kWedge15);
 static_assert(find_abi_value(kSolverJobs, PCVT_JOB_ELASTIC)->job == SolverJob::kElastic);
 static_assert(colouring_row(Colouring::kSides).abi_value == PCVT_COLOUR_SIDES);
 static_assert(colouring_row(Colouring::kSize).abi_value == PCVT_COLOUR_SIZE);

@@ -27,6 +27,16 @@ std::string grain_text(const plane::GrainFigures& grains) {
            (n_sharp == 0 ? "" : " but in " + std::to_string(n_sharp) + " sharp corners of pieces");
 }
 
+/// The line of the wedges of .inp files, whose height is a default or a choice.
+std::string wedge_line(const Job& job) {
+    if (!are_wedges(job.file_options.element)) return "";
+    const double height = job.file_options.thickness;
+    return summary_line(
+        "wedges",
+        std::string(plane_element_row(job.file_options.element).word) + ", one layer along z, " +
+            (height > 0 ? figure(height) : std::string("sqrt(area / triangles)")) + " high");
+}
+
 std::string tile_lines(const RunSummary& summary) {
     std::string text;
     if (!summary.tiles.empty()) {
@@ -335,6 +345,7 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     text += orientation_lines(job, summary);
     text += material_lines(job, summary);
     text += tile_lines(summary);
+    text += wedge_line(job);
     for (const std::string& words : summary.recovered) text += summary_line("recovered", words);
     for (const std::string& file : summary.files) text += summary_line("file", file);
     if (!job.report.empty()) text += summary_line("report", job.report);

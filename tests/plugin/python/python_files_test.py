@@ -119,6 +119,11 @@ class Files(CliTest):
             files = self.contents()
             self.assertEqual(files[f"python{element}.inp"], files[f"command{element}.inp"])
         self.assertNotEqual(files["pythonCPE.inp"], files["pythonCPS.inp"])
+        self.succeed("mesh", "--sites", 12, "--mesh", "grains", "--element", "C3D15", "--thickness", 0.2, "-o", "command15.inp")
+        pcvt.mesh(12, grain_order=2).write(self.path("python15.inp"), "grains", element="C3D15", thickness=0.2)
+        self.assertEqual(self.path("python15.inp").read_bytes(), self.path("command15.inp").read_bytes())
+        with self.assertRaisesRegex(pcvt.ArgumentError, "the elements C3D15 have nodes in the middle of edges; take order 2"):
+            pcvt.mesh(12).write(self.path("no.inp"), "grains", element="C3D15")
         with self.assertRaisesRegex(pcvt.ArgumentError, "element 'C3D' is unknown; take one of CPE"):
             pcvt.mesh(12).write(self.path("no.inp"), "grains", element="C3D")
 
