@@ -534,8 +534,9 @@ typedef struct pcvt_write_options {
                               each phase, "NAME:E,NU", "NAME:C11,C12,C44" of cubic crystals or
                               "NAME:C11,C12,C13,C33,C44" of hexagonal ones (axis z), with blanks or
                               line ends between them; without phases the name is GRAINS; "same":
-                              all phases are the same steel, or with orientations iron, in MPa.
-                              A job with two phases needs it [NULL] */
+                              all phases are the same steel, or with orientations iron, in MPa;
+                              a line with the name of a .yaml file: its phases, in the form of
+                              DAMASK. A job with two phases needs it [NULL] */
     double coriolis[2];    /**< of .nc: the parameter coriolis[0] + coriolis[1] y [0, 0: none] */
 } pcvt_write_options;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/run_files/material_reader.hpp"
 #include "plugin/abi/feature_fields.hpp"
 #include "plugin/abi/option_values.hpp"
 #include "plugin/job/job_files.hpp"
@@ -61,7 +62,10 @@ FileOptions file_options(const pcvt_write_options& options) {
     }
     if (options.materials != nullptr) {
         try {
-            result.elastic = parse_elastic_choices(options.materials);
+            std::vector<std::string> files;
+            result.elastic = read_elastic_choices(options.materials, files);
+        } catch (const BadFile&) {
+            throw;
         } catch (const InvalidInput& error) {
             throw InvalidInput(std::string("materials: ") + error.what());
         }

@@ -1,5 +1,6 @@
 // Functions that the module leaves out, because neither the page nor the package offers them.
 
+#include "io/run_files/material_file.hpp"
 #include "io/solvers/inp_tetrahedra.hpp"
 #include "io/solvers/inp_wedges.hpp"
 #include "mesher/base/error.hpp"
@@ -26,6 +27,11 @@ namespace {
 }
 
 }  // namespace
+
+void add_material_file(const std::string& /*name*/, std::string_view /*text*/,
+                       ElasticChoices& /*choices*/) {
+    throw InvalidInput("this module reads no files of materials; take the command");
+}
 
 double wedge_thickness(const plane::Tile& /*tile*/, const FileOptions& /*options*/) {
     refuse_wedges();

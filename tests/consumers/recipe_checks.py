@@ -215,6 +215,11 @@ def check_unidirectional(folder, text):
     require(30.1 < along < 30.4, f"E_z is {along}")
 
 
+def check_material_file(folder, _):
+    require("*MATERIAL,NAME=hard\n*ELASTIC,TYPE=ORTHO\n2.314e+11," in (folder / "metals.inp").read_text(),
+            "the constants are not those of the file")
+
+
 def check_cylinders(_, text):
     require_near(float(text.split()[-1]), 51.53, 0.03, "the drag over mu U")
 
@@ -469,6 +474,7 @@ ROWS = {
     ("Grain sizes", "A law of grain sizes"): Row(check_sizes),
     ("Grain sizes", "Laguerre cells of points and radii"): Row(check_laguerre),
     ("Phases and orientations", ""): Row(),
+    ("Phases and orientations", "Materials"): Row(check_material_file),
     ("Phases and orientations", "Textures"): Row(check_texture),
     ("Phases and orientations", "Stresses in a polycrystal"): Row(check_stresses, programs=("ccx",)),
     ("Phases and orientations", "Conductivities of phases by name"): Row(check_conductivities, programs=("gmsh", "getdp")),

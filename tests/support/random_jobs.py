@@ -26,7 +26,7 @@ FOREIGN = (("--density", "1 + u"), ("--areas", "gamma:0.3"), ("--aspect", "2,30"
            ("--pixels", "40"), ("--cut", "30"), ("--thickness", "0.1"), ("--background", "#ffffff"), ("--float32",),
            ("--glb-nodes", "one"), ("--density-range", "1,2"), ("--origin", "auto"), ("--repeat", "2x1"), ("--strict",),
            ("--sites", "3"), ("--period", "1,1"), ("--lattice", "1,0,0,1"), ("--mesh", "delaunay"), ("--outline", "box"),
-           ("--period", "auto"), ("--material", "a:210000,0.3"), ("--duplicates", "drop"), ("--coriolis", "1e-4"),
+           ("--period", "auto"), ("--material", "a:210000,0.3"), ("--material", "no.yaml"), ("--duplicates", "drop"), ("--coriolis", "1e-4"),
            ("--no-such-option",), ("stray",), ("--colour", "orbit"), ("--short-edges", "0.1"), ("--cells", "cells.csv"))
 
 

@@ -104,7 +104,8 @@ class Result:
         materials   of .inp with job="elastic", and of .vti: the elastic constants of each phase, {name: (E, nu)},
                     (C11, C12, C44) of cubic crystals or (C11, C12, C13, C33, C44) of hexagonal ones (axis z);
                     without phases the name is GRAINS; "same": all phases are the same steel, or with
-                    orientations iron, in MPa. A job with two phases needs it
+                    orientations iron, in MPa; or the path of a .yaml file with its phases in the form of DAMASK.
+                    A job with two phases needs it
         progress    called with a Progress ten times a second; a true return value cancels
         colour      what colours show: sides, size, cells (neighbours differ), density, phase, orbit or tag
         background  of .svg: none or #rrggbb

@@ -1,5 +1,6 @@
 """pcvt mesh: options of the files of solvers."""
 
+import json
 import re
 
 from support.cli import CliTest, main
@@ -44,6 +45,36 @@ class Elements(CliTest):
                     "--mesh", "grains", "--element", "CPS", "-o", "t.msh")
         self.refuse(2, "--element CPX: unknown; take CPE, CPS, C3D6 or C3D15", "mesh", "--sites", 12, "--mesh",
                     "grains", "--element", "CPX", "-o", "t.inp")
+
+
+class MaterialFiles(CliTest):
+    METALS = ("phase:\n  Soft:\n    mechanical:\n      elastic: {type: Hooke, C_11: 106.9e9, C_12: 60.5e9, C_44: 28.4e9}\n"
+              "  hard: {mechanical: {elastic: {E: 2.0e+11, nu: 0.3}}}\n")
+    JOB = ("mesh", "--sites", 8, "--mesh", "grains", "--phases", "soft:0.5,hard:0.5", "--job", "elastic", "-o", "t.inp")
+
+    def test_phases_have_the_constants_of_the_file(self):
+        self.write("metals.yaml", self.METALS)
+        summary = self.succeed(*self.JOB, "--material", "metals.yaml", "--report", "t.json")
+        self.assertRegex(summary, r"soft: C11 1.069e\+11, C12 6.05e\+10, C44 2.84e\+10 \(metals.yaml; DAMASK takes Pa\)")
+        report = json.loads(self.path("t.json").read_text())["materials"]
+        self.assertEqual(report[1], {"name": "hard", "E": 2e11, "nu": 0.3, "source": "metals.yaml"})
+        text = self.path("t.inp").read_text()
+        self.assertIn("*MATERIAL,NAME=soft\n*ELASTIC,TYPE=ORTHO\n1.069e+11,6.05e+10,", text)
+        self.assertIn("*MATERIAL,NAME=hard\n*ELASTIC\n2e+11,0.3\n", text)
+        self.succeed(*self.JOB, "--force", "--material", "metals.yaml", "--material", "hard:7,0.25")
+        self.assertIn("*MATERIAL,NAME=hard\n*ELASTIC\n7.,0.25\n", self.path("t.inp").read_text())
+
+    def test_faults_name_the_file_and_the_line(self):
+        self.write("metals.yaml", self.METALS.replace("60.5e9", "sixty"))
+        self.refuse(2, "metals.yaml:4: 'sixty' is not a number; ", *self.JOB, "--material", "metals.yaml")
+        self.write("two.yaml", self.METALS.replace("hard", "Hart"))
+        self.refuse(2, "the phase hard has no elastic constants; .*the names in two.yaml: Soft, Hart", *self.JOB,
+                    "--material", "two.yaml")
+        self.refuse(2, "no.yaml: cannot read: ", *self.JOB, "--material", "no.yaml")
+        self.refuse(2, "--material same and FILE exclude each other; ", *self.JOB, "--material", "same", "--material", "two.yaml")
+        self.refuse(2, "t.material.yaml is an input as well", "mesh", "--sites", 8, "-o", "t.vti", "--material",
+                    self.write("t.material.yaml", "phase: {GRAINS: {mechanical: {elastic: {E: 1, nu: 0.3}}}}"))
+        self.assertFalse(self.path("t.inp").exists())
 
 
 class Groups(CliTest):

@@ -127,6 +127,15 @@ class Files(CliTest):
         with self.assertRaisesRegex(pcvt.ArgumentError, "element 'C3D' is unknown; take one of CPE"):
             pcvt.mesh(12).write(self.path("no.inp"), "grains", element="C3D")
 
+    def test_materials_of_a_file_are_those_of_the_command(self):
+        self.path("metals.yaml").write_text("phase: {Copper: {mechanical: {elastic: {C_11: 168.3, C_12: 122.1, C_44: 75.7}}}}")
+        self.succeed("mesh", "--sites", 12, "--mesh", "grains", "--job", "elastic", "--material", "metals.yaml", "-o", "command.inp")
+        for name, materials in (("text", str(self.path("metals.yaml"))), ("path", self.path("metals.yaml"))):
+            pcvt.mesh(12).write(self.path(f"{name}.inp"), "grains", job="elastic", materials=materials)
+            self.assertEqual(self.path(f"{name}.inp").read_bytes(), self.path("command.inp").read_bytes())
+        with self.assertRaisesRegex(pcvt.Error, "no.yaml: cannot read: "):
+            pcvt.mesh(12).write(self.path("no.inp"), "grains", job="elastic", materials="no.yaml")
+
     def test_cells_are_those_of_the_table(self):
         grains = {"areas": "lognormal:0.3", "max_iterations": 2, "phases": "a:0.4,b:0.6", "orientations": "random"}
         for k, options in enumerate(({}, grains)):
