@@ -107,8 +107,9 @@ enum { PCVT_WHOLE = 0, PCVT_BOX = 1 };
 /** The nodes of a glTF file: one for each cell, or one for all, which then share their vertices. */
 enum { PCVT_NODES_DEFAULT = 0, PCVT_NODES_CELLS = 1, PCVT_NODES_ONE = 2 };
 
-/** The elements of .inp files: plane strain, plane stress. */
-enum { PCVT_CPE = 0, PCVT_CPS = 1 };
+/** The elements of .inp files: triangles for plane strain or plane stress, or one layer of wedges
+ *  along z, which is periodic there as well, of pcvt_options.grain_order 1 (C3D6) or 2 (C3D15). */
+enum { PCVT_CPE = 0, PCVT_CPS = 1, PCVT_C3D6 = 2, PCVT_C3D15 = 3 };
 
 /** Contents of .inp files besides the mesh: nothing, or materials and steps that CalculiX runs. */
 enum { PCVT_JOB_NONE = 0, PCVT_JOB_ELASTIC = 1 };
@@ -525,15 +526,17 @@ typedef struct pcvt_write_options {
     int32_t job;            /**< of .inp: PCVT_JOB_... [PCVT_JOB_NONE] */
     int32_t voxel_layers;   /**< of .vti: equal layers along z [0: 1]; in three dimensions the
                                voxels along z, 2 or more beside `voxels` [0 with voxels 0, 0] */
-    double thickness; /**< of .foam: height of the layer of cells along z [0: sqrt(area / faces)] */
+    double thickness; /**< height of the layer along z: of the cells of .foam, and of the wedges of
+                         PCVT_C3D6 and PCVT_C3D15 [0: sqrt(area / faces)] */
     int32_t surface;  /**< PCVT_SURFACE_..., only in three dimensions [PCVT_SURFACE_CELLS] */
     int32_t reserved2;
     const char* materials; /**< of .inp with PCVT_JOB_ELASTIC, and of .vti: elastic constants of
                               each phase, "NAME:E,NU", "NAME:C11,C12,C44" of cubic crystals or
                               "NAME:C11,C12,C13,C33,C44" of hexagonal ones (axis z), with blanks or
                               line ends between them; without phases the name is GRAINS; "same":
-                              all phases are the same steel, or with orientations iron, in MPa.
-                              A job with two phases needs it [NULL] */
+                              all phases are the same steel, or with orientations iron, in MPa;
+                              a line with the name of a .yaml file: its phases, in the form of
+                              DAMASK. A job with two phases needs it [NULL] */
     double coriolis[2];    /**< of .nc: the parameter coriolis[0] + coriolis[1] y [0, 0: none] */
 } pcvt_write_options;
 

@@ -79,6 +79,11 @@ def triangle_area(a, b, c):
     return ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2
 
 
+def wedge_volume(a, b, c, d, *_):
+    """Returns the volume of a wedge over the triangle a b c, with d above a."""
+    return triangle_area(a, b, c) * (d[2] - a[2])
+
+
 def tetrahedron_volume(a, b, c, d):
     (ux, uy, uz), (vx, vy, vz), (wx, wy, wz) = ([q - p for p, q in zip(a, end)] for end in (b, c, d))
     return (ux * (vy * wz - vz * wy) - uy * (vx * wz - vz * wx) + uz * (vx * wy - vy * wx)) / 6

@@ -56,7 +56,10 @@ def periods_of(text, path, remedy):
     found = re.search(r"pcvt lattice (.*)", text)
     if found is None:
         raise BadFile(path, "it has no comment 'pcvt lattice' with the periods", remedy)
-    a, b, c, d = numbers_of(found[1].split(), 4, path, remedy)[:4]
+    words = found[1].split()
+    # The periods of a layer along z are those of its base, and its height.
+    words = [*words[:2], *words[3:5]] if len(words) == 9 else words
+    a, b, c, d = numbers_of(words, 4, path, remedy)[:4]
     walls = re.search(r"pcvt walls (.*)", text)
     across = numbers_of(walls[1].split(), 2, path, remedy) if walls else (0, 0)
     return [period for period, has_walls in zip(((a, b), (c, d)), across) if not has_walls]

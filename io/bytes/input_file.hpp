@@ -21,6 +21,7 @@ struct InputLimit {
 constexpr std::uint64_t kMebibyte = std::uint64_t(1) << 20;
 constexpr InputLimit kTileInput{4096 * kMebibyte, "4 GiB", "give a smaller mesh", false};
 constexpr InputLimit kSiteInput{16384 * kMebibyte, "16 GiB", "give fewer sites", true};
+constexpr InputLimit kMaterialInput{64 * kMebibyte, "64 MiB", "give the section phase alone", true};
 constexpr InputLimit kTableInput{1024 * kMebibyte, "1 GiB", "give fewer runs", true};
 /// More than the size of the largest picture with 64 bits a pixel, not compressed.
 constexpr InputLimit kPictureInput{256 * kMebibyte, "256 MiB", "scale the image down", false};

@@ -64,9 +64,10 @@ ProvedLabels prove_labels(const TileFile& file) {
 /// Compares the files with those that the writer gives for their tile, unless they are these.
 void prove_fields(const Format& format, const std::vector<EncodedFile>& files, const TileFile& file,
                   const ProvedLabels& proved) {
-    const FileOptions options{.materials = file.materials.empty() ? nullptr : &file.materials,
-                              .site_orbits = file.site_orbits,
-                              .thickness = file.thickness};
+    FileOptions options{.materials = file.materials.empty() ? nullptr : &file.materials,
+                        .site_orbits = file.site_orbits,
+                        .thickness = file.thickness};
+    if (file.thickness > 0) options.element = wedge_element(file.tile.order);
     plane::Tile tile = file.tile;
     tile.vertex_pairs = proved.proof.vertex_pairs;
     tile.edge_pairs = proved.proof.edge_pairs;
@@ -133,7 +134,7 @@ void prove_tile_files(const Format& format, const std::vector<EncodedFile>& file
         if (!has_orbits(format, file, options)) {
             throw BadFile(path + ": the orbits of the sites are others");
         }
-        if (format.takes.thickness && options.thickness > 0 &&
+        if (format.holds_thickness(options) && options.thickness > 0 &&
             file.thickness != options.thickness) {
             throw BadFile(path + ": the thickness is another");
         }

@@ -155,6 +155,10 @@ struct Format {
     bool states_constants(const FileOptions& options) const {
         return takes.constants && (!takes.job || holds_job(options));
     }
+    /// Whether its files of a tile in the plane have a height along z.
+    bool holds_thickness(const FileOptions& options) const {
+        return takes.thickness && (!takes.element || are_wedges(options.element));
+    }
     /// Whether its files of space hold the surfaces that an option chooses.
     bool has_surfaces() const {
         return space.has_value() && space->surfaces == FormatSurfaces::kChosen;

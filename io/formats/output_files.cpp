@@ -199,7 +199,7 @@ std::string second_order_extensions() {
 std::vector<NamedConstants> stated_constants(const std::vector<OutputFile>& files,
                                              const FileOptions& options,
                                              const CellMaterials& materials) {
-    const bool are_chosen = !options.elastic.materials.empty();
+    const bool are_chosen = options.elastic.are_given();
     for (const OutputFile& file : files) {
         const bool states_chosen = are_chosen && file.format->states_constants(options);
         if (!states_chosen && !file.format->holds_job(options)) continue;

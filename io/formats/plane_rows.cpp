@@ -47,16 +47,32 @@ namespace {
 constexpr double kLeastThickness = 1e-3;
 constexpr double kLargestThickness = 1e3;
 
+void require_thickness(const FormatRequest& request) {
+    const double layers = request.files.thickness / request.spacing();
+    if (layers == 0 || (layers >= kLeastThickness && layers <= kLargestThickness)) return;
+    throw InvalidInput(
+        "the thickness is not between 0.001 and 1000 times the mean distance of the sites, "
+        "sqrt(area / n); take one nearer to it");
+}
+
+/// The order of wedges is that of their triangles.
+void require_wedges(const FormatRequest& request) {
+    const PlaneElementRow& row = plane_element_row(request.files.element);
+    if (row.wedge_order == 0) return;
+    require_thickness(request);
+    if (row.wedge_order == request.tile.order) return;
+    throw InvalidInput(row.wedge_order == 2
+                           ? "the elements C3D15 have nodes in the middle of edges; take order 2, "
+                             "or the elements C3D6"
+                           : "the elements C3D6 have only corners; take the elements C3D15 for "
+                             "order 2");
+}
+
 }  // namespace
 
 /// Pieces of cells are slivers where the box cuts a cell near its corner.
 void require_prisms(const FormatRequest& request) {
-    const double layers = request.files.thickness / request.spacing();
-    if (layers != 0 && !(layers >= kLeastThickness && layers <= kLargestThickness)) {
-        throw InvalidInput(
-            "the thickness is not between 0.001 and 1000 times the mean distance of the sites, "
-            "sqrt(area / n); take one nearer to it");
-    }
+    require_thickness(request);
     if (request.tile.outline == plane::Outline::kWhole ||
         request.tile.kind != plane::MeshKind::kVoronoi)
         return;
@@ -66,7 +82,8 @@ void require_prisms(const FormatRequest& request) {
 }
 
 /// The mean strains of the job need equations across all sides.
-void require_job_without_walls(const FormatRequest& request) {
+void require_solver_input(const FormatRequest& request) {
+    require_wedges(request);
     if (request.files.job == SolverJob::kNone || request.walls == Walls::kNone) return;
     throw InvalidInput(
         "the job prescribes mean strains, which need a tile that is periodic along both "

@@ -10,7 +10,7 @@ namespace pcvt::plane_rows {
 // Functions that rows of the table of formats name for the plane.
 
 void require_prisms(const FormatRequest& request);
-void require_job_without_walls(const FormatRequest& request);
+void require_solver_input(const FormatRequest& request);
 void require_mpas_torus(const FormatRequest& request);
 std::vector<std::string> mpas_paths(const std::string& path);
 void require_image_size(const FormatRequest& request);

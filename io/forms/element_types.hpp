@@ -16,6 +16,8 @@ enum class ElementKind {
     kTriangle6,
     kTetrahedron4,
     kTetrahedron10,
+    kWedge6,
+    kWedge15,
     kPolyhedron
 };
 
@@ -53,6 +55,9 @@ inline constexpr std::array kElementTypes{
     ElementType{ElementKind::kTetrahedron4, 3, 4, 4, 4, 10, "tetrahedron", "tetrahedra"},
     ElementType{ElementKind::kTetrahedron10, 3, 4, 10, 11, 24, "tetrahedron",
                 "quadratic tetrahedra", true},
+    // The bottom triangle, the top one, and the middles of the edges of both and between them.
+    ElementType{ElementKind::kWedge6, 3, 6, 6, 0, 0, "wedge", "wedges"},
+    ElementType{ElementKind::kWedge15, 3, 6, 15, 0, 0, "wedge", "quadratic wedges"},
     ElementType{ElementKind::kPolyhedron, 3, 0, 0, 0, 42, "polyhedron", "polyhedra"},
 };
 

@@ -23,18 +23,37 @@ struct GltfNodesRow {
 inline constexpr std::array kGltfNodes{GltfNodesRow{GltfNodes::kCells, "cells", 1},
                                        GltfNodesRow{GltfNodes::kOne, "one", 2}};
 
-/// The state of the plane that the elements of a solver's file assume.
-enum class PlaneElement { kStrain, kStress };
+/// The elements of a solver's file of triangles: triangles that assume a state of the plane, or one
+/// layer of wedges above them, of six or fifteen nodes.
+enum class PlaneElement { kStrain, kStress, kWedge6, kWedge15 };
 
 /// One row of the table of choices (mesher/base/choices.hpp): the word is how Abaqus and CalculiX
-/// begin the name of the element type.
+/// name the type of wedges, and begin the name of the type of triangles.
 struct PlaneElementRow {
     PlaneElement element;
     const char* word;
     int abi_value;
+    /// Of wedges that of their triangles; else 0.
+    int wedge_order = 0;
 };
 inline constexpr std::array kPlaneElements{PlaneElementRow{PlaneElement::kStrain, "CPE", 0},
-                                           PlaneElementRow{PlaneElement::kStress, "CPS", 1}};
+                                           PlaneElementRow{PlaneElement::kStress, "CPS", 1},
+                                           PlaneElementRow{PlaneElement::kWedge6, "C3D6", 2, 1},
+                                           PlaneElementRow{PlaneElement::kWedge15, "C3D15", 3, 2}};
+
+constexpr const PlaneElementRow& plane_element_row(PlaneElement element) {
+    return kPlaneElements[static_cast<std::size_t>(element)];
+}
+
+/// Whether the elements are wedges.
+constexpr bool are_wedges(PlaneElement element) {
+    return plane_element_row(element).wedge_order > 0;
+}
+
+/// The wedges over triangles of an order.
+constexpr PlaneElement wedge_element(int order) {
+    return order == 2 ? PlaneElement::kWedge15 : PlaneElement::kWedge6;
+}
 
 /// The parts of a solver input besides the mesh: none, or materials and steps that run.
 enum class SolverJob { kNone, kElastic };
@@ -92,7 +111,8 @@ struct FileOptions {
     SolverJob job = SolverJob::kNone;
     /// Inputs of solvers that hold elastic constants.
     ElasticChoices elastic = {};
-    /// The height of one layer of prisms, length units; 0: the mean distance of the cells.
+    /// The height of one layer of prisms or wedges, length units; 0: the square root of the mean
+    /// area of their bases.
     double thickness = 0;
     /// In space, the surfaces that files show.
     SurfaceForm surfaces = SurfaceForm::kCells;

@@ -58,7 +58,7 @@ class InpCards {
     virtual void take_comment(std::string_view key, const Words& values) = 0;
     virtual void take_node(int number, const Position& position) = 0;
     /// Returns the number of nodes of elements of a type; refuses others.
-    virtual std::size_t n_element_nodes(const std::string& type) const = 0;
+    virtual std::size_t n_element_nodes(const std::string& type) = 0;
     virtual void take_element(int number, std::vector<int> nodes) = 0;
     virtual void take_cell_member(int element, int cell) = 0;
 

@@ -14,6 +14,8 @@ struct InpSet {
     std::vector<int> members = {};
     /// Whether solvers must keep the order of the members.
     bool is_ordered = false;
+    /// Whether the set is for boundary conditions, and so has no tied node.
+    bool is_free = false;
 };
 
 /// A named surface: elements, counted from 0, each with one of its sides, counted from 1 as Abaqus

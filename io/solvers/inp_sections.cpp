@@ -203,9 +203,7 @@ ElasticConstants inp_standard_constants(const CellMaterials& materials) {
 std::string inp_elastic_job(const CellMaterials& materials, const ElasticChoices& choices,
                             double period, int dimension) {
     const ElasticConstants standard = inp_standard_constants(materials);
-    std::string text = !choices.materials.empty() ? kGiven
-                       : standard.is_isotropic()  ? kIsotropic
-                                                  : kCubic;
+    std::string text = choices.are_given() ? kGiven : standard.is_isotropic() ? kIsotropic : kCubic;
     for (const NamedConstants& material : chosen_materials(choices, materials, standard)) {
         append_material(text, material);
     }

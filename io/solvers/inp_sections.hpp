@@ -13,6 +13,12 @@ namespace pcvt {
 /// job.
 std::string inp_head(const FileOptions& options);
 
+/// Explains the mean strain of a mesh in space, behind inp_head().
+inline constexpr const char* kInpStrainsInSpace =
+    " FIXED 1,2,3 holds the tile. The\n** mean strain is the displacement of the control nodes: "
+    "CONTROL_1 has e_xx, e_xy, e_xz in\n** 1, 2, 3, CONTROL_2 has e_yy, e_yz in 2, 3, and "
+    "CONTROL_3 has e_zz in 3. Lines that begin\n** with \"** pcvt\" hold what no card does.\n";
+
 /// Appends the site of each node as comments; nothing where nodes have none.
 void append_inp_sites(std::string& text, std::span<const SiteId> sites);
 

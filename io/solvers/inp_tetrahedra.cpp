@@ -25,11 +25,6 @@
 namespace pcvt {
 namespace {
 
-constexpr const char* kSpaceExplanation =
-    " FIXED 1,2,3 holds the tile. The\n** mean strain is the displacement of the control nodes: "
-    "CONTROL_1 has e_xx, e_xy, e_xz in\n** 1, 2, 3, CONTROL_2 has e_yy, e_yz in 2, 3, and "
-    "CONTROL_3 has e_zz in 3. Lines that begin\n** with \"** pcvt\" hold what no card does.\n";
-
 /// The number by which Abaqus calls the side of a tetrahedron opposite to corner k.
 constexpr std::array<int, 4> kSideNumbers{3, 4, 2, 1};
 
@@ -47,7 +42,7 @@ class TetrahedraInp {
     InpForm make() {
         form_.element = mesh_.order == 2 ? "C3D10" : "C3D4";
         form_.kind = kTetrahedraKind;
-        form_.explanation = inp_head(options_) + kSpaceExplanation;
+        form_.explanation = inp_head(options_) + kInpStrainsInSpace;
         append_inp_sites(form_.notes, mesh_.cell.empty() ? std::span<const SiteId>(mesh_.point_site)
                                                          : std::span<const SiteId>());
         append_materials(form_.notes, "** pcvt ", materials_);
@@ -205,7 +200,7 @@ class TetrahedraInpParser final : public InpCards {
         nodes_.push_back({number, scanner().line(), position});
     }
 
-    std::size_t n_element_nodes(const std::string& type) const override {
+    std::size_t n_element_nodes(const std::string& type) override {
         if (type == "C3D4") return 4;
         if (type == "C3D10") return 10;
         scanner().throw_bad_file("elements of type " + in_quotes(type) +

@@ -17,7 +17,7 @@
 #include "io/solvers/inp_fields.hpp"
 #include "io/solvers/inp_sections.hpp"
 #include "io/solvers/inp_text.hpp"
-#include "mesher/base/choices.hpp"
+#include "io/solvers/inp_wedges.hpp"
 
 namespace pcvt {
 namespace {
@@ -46,12 +46,11 @@ class PlaneInp {
           options_(options),
           cells_(tile),
           nodes_(solver_nodes(tile)),
+          thickness_(are_wedges(options.element) ? wedge_thickness(tile, options) : 0),
           form_{.mesh = element_mesh(tile, nodes_)} {}
 
     InpForm make() {
-        form_.element = find_row(kPlaneElements, [this](const auto& row) {
-                            return row.element == options_.element;
-                        })->word;
+        form_.element = plane_element_row(options_.element).word;
         form_.element += tile_.order == 2 ? "6" : "3";
         form_.kind = file_word(tile_.kind);
         form_.is_strained = !is_box();
@@ -62,13 +61,8 @@ class PlaneInp {
         form_.orbits = inp_orbit_sets(options_.site_orbits, cell_sets_);
         add_node_sets();
         add_wall_sides();
-        if (options_.materials != nullptr) {
-            form_.job = inp_sections(*options_.materials, cell_sets_, form_.mesh.dimension);
-        }
-        if (options_.job == SolverJob::kElastic) {
-            form_.job += inp_elastic_job(materials(), options_.elastic, tile_.lattice.area(),
-                                         form_.mesh.dimension);
-        }
+        if (thickness_ > 0) extrude(tile_, cells_, materials(), thickness_, form_);
+        add_job();
         return std::move(form_);
     }
 
@@ -77,8 +71,20 @@ class PlaneInp {
         return options_.materials != nullptr ? *options_.materials : CellMaterials{};
     }
 
+    void add_job() {
+        const int dimension = form_.mesh.dimension;
+        if (options_.materials != nullptr) {
+            form_.job = inp_sections(*options_.materials, cell_sets_, dimension);
+        }
+        if (options_.job == SolverJob::kElastic) {
+            const double height = thickness_ > 0 ? thickness_ : 1;
+            form_.job += inp_elastic_job(materials(), options_.elastic,
+                                         tile_.lattice.area() * height, dimension);
+        }
+    }
+
     /// Whether walls leave no seam, so that no node is tied.
-    bool is_box() const { return tile_.walls == Walls::kXY; }
+    bool is_box() const { return tile_.walls == Walls::kXY && thickness_ == 0; }
 
     std::string explanation() const {
         std::string text = inp_head(options_);
@@ -86,7 +92,7 @@ class PlaneInp {
             const std::string_view what(kPeriodicTile);
             text.replace(text.find(what), what.size(), kBetweenWalls);
         }
-        text += is_box() ? kBoxExplanation : kExplanation;
+        text += is_box() ? kBoxExplanation : thickness_ > 0 ? kInpStrainsInSpace : kExplanation;
         if (tile_.walls != Walls::kNone) text += kWallSets;
         return text;
     }
@@ -149,8 +155,9 @@ class PlaneInp {
         for (auto& [wall, nodes] : walls) {
             // Solvers refuse boundary conditions on nodes that an equation determines.
             for (const plane::VertexPair& pair : nodes_.pairs) nodes.erase(pair.w);
-            form_.node_sets.push_back(
-                {upper_case(wall_name(tile_, wall)), {nodes.begin(), nodes.end()}});
+            form_.node_sets.push_back({.name = upper_case(wall_name(tile_, wall)),
+                                       .members = {nodes.begin(), nodes.end()},
+                                       .is_free = true});
         }
     }
 
@@ -177,6 +184,8 @@ class PlaneInp {
     const FileOptions& options_;
     TriangleCells cells_;
     SolverNodes nodes_;
+    /// The height of the wedges; 0 for triangles.
+    double thickness_;
     InpForm form_;
     /// The sites whose cells have a set.
     std::vector<SiteId> cell_sets_;

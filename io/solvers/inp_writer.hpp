@@ -12,8 +12,9 @@ namespace pcvt {
 /// Encodes the mesh part of an Abaqus or CalculiX input, which a job includes, with
 /// options.materials also the sections of the cells (inp_sections()), and with options.job a job
 /// that runs as it is (inp_elastic_job()). The mesh consists of triangles
-/// CPE3, or CPS3 for plane stress (CPE6, CPS6 for order 2). Node v + 1 is vertex v, element f + 1
-/// is face f.
+/// CPE3, or CPS3 for plane stress (CPE6, CPS6 for order 2), or of one layer of wedges C3D6 or C3D15
+/// above them, whose sets and equations are those of space (inp_wedges.hpp). Node v + 1 is vertex
+/// v, element f + 1 is face f.
 ///
 /// Element sets: `EALL`, and one set `CELL_s` for each cell with site s (element_cells()). A cell
 /// that owns no Delaunay triangle has the triangles at its site, which their owners have as well.

@@ -237,7 +237,7 @@ Quaternion damask_quaternion(const BungeAngles& angles) {
 
 std::string encode_damask_material(int n_cells, const CellMaterials& materials,
                                    const ElasticChoices& choices) {
-    const bool are_given = !choices.materials.empty();
+    const bool are_given = choices.are_given();
     std::string text = std::string(kHead) + (are_given ? kGiven : kStandard) + kHomogenizations;
     const bool one_phase = materials.site_phase.empty();
     for (const NamedConstants& phase : chosen_materials(choices, materials, {})) {

@@ -1,6 +1,7 @@
 #include "mesher/cells/elastic_choices.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "mesher/base/error.hpp"
 #include "mesher/cells/phase_fractions.hpp"
@@ -83,6 +84,36 @@ const NamedConstants* find_material(const ElasticChoices& choices, std::string_v
     return found == choices.materials.end() ? nullptr : &*found;
 }
 
+/// Whether the cells have no phases, and the only material of a file is theirs.
+bool is_the_only_one(const ElasticChoices& choices, std::string_view name) {
+    return name == kOneMaterial && choices.materials.empty() && choices.of_files.size() == 1;
+}
+
+/// The constants of a phase; `nullopt` if neither the user nor a file gives them.
+std::optional<NamedConstants> find_constants(const ElasticChoices& choices,
+                                             const std::string& name) {
+    if (const NamedConstants* const given = find_material(choices, name)) {
+        return NamedConstants{name, given->constants};
+    }
+    const FileMaterial* found = nullptr;
+    for (const FileMaterial& material : choices.of_files) {
+        if (!have_one_name(material.name, name) && !is_the_only_one(choices, name)) continue;
+        if (found != nullptr) {
+            throw InvalidInput("--material: " + name + " is in " + found->file +
+                               (found->file == material.file
+                                    ? " twice, because case does not matter"
+                                    : " and in " + material.file) +
+                               "; remove one");
+        }
+        found = &material;
+    }
+    if (found == nullptr) return std::nullopt;
+    if (!found->fault.empty()) throw InvalidInput(found->fault);
+    const bool is_named = have_one_name(found->name, name);
+    return NamedConstants{name, found->constants,
+                          (is_named ? "" : found->name + " of ") + found->file};
+}
+
 std::string listed(const std::vector<std::string>& names) {
     constexpr std::size_t kMostListed = 8;
     std::string text;
@@ -118,14 +149,19 @@ ElasticChoices parse_elastic_choices(std::string_view text) {
         choices.materials.push_back(std::move(material));
     }
     if (choices.empty()) refuse(text, "no material; write NAME:E,NU, or same");
-    if (choices.are_same && !choices.materials.empty()) {
-        throw InvalidInput("same and NAME:... exclude each other; leave one of them out");
-    }
+    require_one_choice(choices);
     return choices;
 }
 
+void require_one_choice(const ElasticChoices& choices) {
+    if (!choices.are_same || !choices.are_given()) return;
+    throw InvalidInput(std::string("same and ") +
+                       (choices.materials.empty() ? "FILE" : "NAME:...") +
+                       " exclude each other; leave one of them out");
+}
+
 void require_materials_of(const ElasticChoices& choices, const std::vector<std::string>& phases) {
-    if (choices.materials.empty()) return;
+    if (!choices.are_given()) return;
     const std::vector<std::string> names = material_names(phases);
     for (const NamedConstants& material : choices.materials) {
         const bool is_known = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
@@ -137,9 +173,14 @@ void require_materials_of(const ElasticChoices& choices, const std::vector<std::
                            listed(names));
     }
     for (const std::string& name : names) {
-        if (find_material(choices, name) != nullptr) continue;
-        throw InvalidInput("the phase " + name + " has no elastic constants; add --material " +
-                           name + ":E,NU");
+        if (find_constants(choices, name)) continue;
+        std::vector<std::string> of_files;
+        for (const FileMaterial& material : choices.of_files) of_files.push_back(material.name);
+        throw InvalidInput(
+            "the phase " + name + " has no elastic constants; add --material " + name + ":E,NU" +
+            (of_files.empty() ? ""
+                              : ", or take one of the names in " + choices.of_files.front().file +
+                                    ": " + listed(of_files)));
     }
 }
 
@@ -155,8 +196,7 @@ std::vector<NamedConstants> chosen_materials(const ElasticChoices& choices,
                                              const ElasticConstants& standard) {
     std::vector<NamedConstants> materials;
     for (const std::string& name : material_names(cells.phase_names)) {
-        const NamedConstants* const chosen = find_material(choices, name);
-        materials.push_back({name, chosen != nullptr ? chosen->constants : standard});
+        materials.push_back(find_constants(choices, name).value_or(NamedConstants{name, standard}));
     }
     return materials;
 }

@@ -16,8 +16,19 @@ inline constexpr const char* kOneMaterial = "GRAINS";
 struct NamedConstants {
     std::string name;
     ElasticConstants constants;
+    /// The file that has them, for people; empty: none.
+    std::string source = {};
 
     friend bool operator==(const NamedConstants&, const NamedConstants&) = default;
+};
+
+/// A material of a file, by the name that it has there.
+struct FileMaterial {
+    std::string name;
+    std::string file;
+    ElasticConstants constants = {};
+    /// Why no phase can have it, with the remedy; empty: one can.
+    std::string fault = {};
 };
 
 /// The elastic constants that a user gives for the materials of a run.
@@ -25,8 +36,12 @@ struct ElasticChoices {
     /// All materials have the same constants, the default of a format.
     bool are_same = false;
     std::vector<NamedConstants> materials = {};
+    /// The materials of files, of which the phases take those of their names, unless `materials`
+    /// have them. Cells without phases take the only one of a file, whatever its name is.
+    std::vector<FileMaterial> of_files = {};
 
-    bool empty() const { return !are_same && materials.empty(); }
+    bool are_given() const { return !materials.empty() || !of_files.empty(); }
+    bool empty() const { return !are_same && !are_given(); }
 };
 
 /// Reads materials with blanks or line ends between them: `NAME:E,NU`, `NAME:C11,C12,C44` or
@@ -38,9 +53,12 @@ struct ElasticChoices {
 /// @throws InvalidInput with the entry and the remedy.
 ElasticChoices parse_elastic_choices(std::string_view text);
 
-/// Requires that each material with constants is one of the phases, and none of them is missing:
-/// kOneMaterial without phases. Names differ by more than their case.
-/// @throws InvalidInput naming the material.
+/// @throws InvalidInput  if all materials are the same, and some are given.
+void require_one_choice(const ElasticChoices& choices);
+
+/// Requires that each material with constants, but for those of files, is one of the phases, and
+/// none of them is missing: kOneMaterial without phases. Names differ by more than their case.
+/// @throws InvalidInput naming the material, or with the fault of that of a file.
 void require_materials_of(const ElasticChoices& choices, const std::vector<std::string>& phases);
 
 /// Requires a choice where several phases would get the same constants without one.

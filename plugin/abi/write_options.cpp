@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/run_files/material_reader.hpp"
 #include "plugin/abi/feature_fields.hpp"
 #include "plugin/abi/option_values.hpp"
 #include "plugin/job/job_files.hpp"
@@ -15,6 +16,8 @@ static_assert(mesh_kind_row(plane::MeshKind::kDelaunay).abi_value == PCVT_DELAUN
 static_assert(mesh_kind_row(plane::MeshKind::kGrains).abi_value == PCVT_GRAINS);
 static_assert(find_abi_value(kPlaneElements, PCVT_CPE)->element == PlaneElement::kStrain);
 static_assert(find_abi_value(kPlaneElements, PCVT_CPS)->element == PlaneElement::kStress);
+static_assert(find_abi_value(kPlaneElements, PCVT_C3D6)->element == PlaneElement::kWedge6);
+static_assert(find_abi_value(kPlaneElements, PCVT_C3D15)->element == PlaneElement::kWedge15);
 static_assert(find_abi_value(kSolverJobs, PCVT_JOB_ELASTIC)->job == SolverJob::kElastic);
 static_assert(colouring_row(Colouring::kSides).abi_value == PCVT_COLOUR_SIDES);
 static_assert(colouring_row(Colouring::kSize).abi_value == PCVT_COLOUR_SIZE);
@@ -59,7 +62,10 @@ FileOptions file_options(const pcvt_write_options& options) {
     }
     if (options.materials != nullptr) {
         try {
-            result.elastic = parse_elastic_choices(options.materials);
+            std::vector<std::string> files;
+            result.elastic = read_elastic_choices(options.materials, files);
+        } catch (const BadFile&) {
+            throw;
         } catch (const InvalidInput& error) {
             throw InvalidInput(std::string("materials: ") + error.what());
         }

@@ -1,6 +1,8 @@
 // Functions that the module leaves out, because neither the page nor the package offers them.
 
+#include "io/run_files/material_file.hpp"
 #include "io/solvers/inp_tetrahedra.hpp"
+#include "io/solvers/inp_wedges.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/plane/cvt/centroid_cells.hpp"
 #include "mesher/space/box/box_cells.hpp"
@@ -20,7 +22,27 @@ namespace {
     throw InvalidInput("this module has no .inp files in space; take the command");
 }
 
+[[noreturn]] void refuse_wedges() {
+    throw InvalidInput("this module has no wedges C3D6 or C3D15; take the command");
+}
+
 }  // namespace
+
+void add_material_file(const std::string& /*name*/, std::string_view /*text*/,
+                       ElasticChoices& /*choices*/) {
+    throw InvalidInput("this module reads no files of materials; take the command");
+}
+
+double wedge_thickness(const plane::Tile& /*tile*/, const FileOptions& /*options*/) {
+    refuse_wedges();
+}
+
+void extrude(const plane::Tile& /*tile*/, const TriangleCells& /*cells*/,
+             const CellMaterials& /*materials*/, double /*thickness*/, InpForm& /*form*/) {
+    refuse_wedges();
+}
+
+void flatten(FileWedges& /*file*/) { refuse_wedges(); }
 
 std::vector<EncodedFile> encode_tetrahedra_inp(const space::TetrahedralMesh& /*mesh*/,
                                                const FileOptions& /*options*/,

@@ -257,8 +257,11 @@ Job make_job(const CLI::App& app, const MeshOptions& options) {
     read_run(app, options, job);
     job.materials = material_choices(app, options.materials, job.inputs);
     job.file_options = file_options(app, options.files);
+    // C3D15 has nodes in the middle of edges.
+    if (app.count("--order") == 0)
+        job.tile.order = std::max(1, plane_element_row(job.file_options.element).wedge_order);
     if (app.count("--colour") > 0) row_for(job, "--colour", options.files.colour, kColourings);
-    job.file_options.elastic = elastic_choices(options.materials);
+    job.file_options.elastic = elastic_choices(options.materials, job.inputs);
     read_numbers(app, options.numbers, job);
     check_short_edges(app, options, job);
     job.command = command_words(app);

@@ -6,6 +6,7 @@
 #include "io/bytes/text.hpp"
 #include "plugin/cli/site_summary.hpp"
 #include "plugin/cli/terminal/console.hpp"
+#include "plugin/cli/tile_summary.hpp"
 #include "plugin/job/run_job.hpp"
 
 namespace pcvt::cli {
@@ -16,43 +17,6 @@ std::string valence_text(const RunSummary& summary) {
                        std::to_string(summary.n_sites) + " cells; sides";
     for (const auto& [sides, count] : summary.valences) {
         text += " " + std::to_string(sides) + ":" + std::to_string(count);
-    }
-    return text;
-}
-
-std::string grain_text(const plane::GrainFigures& grains) {
-    const std::size_t n_sharp = grains.sharp_corners.size();
-    return std::to_string(grains.n_triangles) + " triangles, angles from " +
-           figure(grains.smallest_angle) + " degrees on" +
-           (n_sharp == 0 ? "" : " but in " + std::to_string(n_sharp) + " sharp corners of pieces");
-}
-
-std::string tile_lines(const RunSummary& summary) {
-    std::string text;
-    if (!summary.tiles.empty()) {
-        const plane::TileFigures& first = summary.tiles.front();
-        text += summary_line("domain", vector_text(first.domain_corner) + " to " +
-                                           vector_text(first.opposite_corner));
-    }
-    for (const plane::TileFigures& tile : summary.tiles) {
-        text +=
-            summary_line("seam", std::string(mesh_kind_row(tile.kind).word) + ", " +
-                                     std::to_string(tile.n_boundary_edges) + " boundary edges in " +
-                                     std::to_string(tile.n_edge_pairs) + " pairs" +
-                                     (tile.n_wall_edges > 0
-                                          ? ", " + std::to_string(tile.n_wall_edges) + " on walls"
-                                          : ""));
-        if (tile.box_shortest_edge) {
-            text += summary_line(
-                "box", "shortest edge of the cut " + figure(*tile.box_shortest_edge) + " h");
-        }
-        if (tile.grains) text += summary_line("grains", grain_text(*tile.grains));
-        // Without joined corners, each cell has the area that the line "areas" states.
-        if (tile.area_error && *tile.area_error > 0) {
-            text +=
-                summary_line("meshed", std::string(mesh_kind_row(tile.kind).word) +
-                                           ", areas off by at most " + figure(*tile.area_error));
-        }
     }
     return text;
 }
@@ -251,11 +215,12 @@ std::string orientation_lines(const Job& job, const RunSummary& summary) {
 }
 
 std::string material_lines(const Job& job, const RunSummary& summary) {
-    const bool are_given = !job.file_options.elastic.materials.empty();
+    const bool are_given = job.file_options.elastic.are_given();
     std::string text;
-    for (const auto& [name, constants] : summary.constants) {
+    for (const auto& [name, constants, source] : summary.constants) {
+        const std::string of_file = source.empty() ? "" : " (" + source + "; DAMASK takes Pa)";
         text += summary_line("material", name + ": " + constants_text(constants) +
-                                             (are_given                  ? ""
+                                             (are_given                  ? of_file
                                               : constants.is_isotropic() ? " (steel in MPa)"
                                                                          : " (iron in MPa)"));
     }
@@ -334,7 +299,7 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     text += phase_lines(job, summary);
     text += orientation_lines(job, summary);
     text += material_lines(job, summary);
-    text += tile_lines(summary);
+    text += tile_lines(job, summary);
     for (const std::string& words : summary.recovered) text += summary_line("recovered", words);
     for (const std::string& file : summary.files) text += summary_line("file", file);
     if (!job.report.empty()) text += summary_line("report", job.report);

@@ -154,13 +154,21 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files,
         // Files for cutters have no colours and no background.
         const bool taken = std::any_of(files.begin(), files.end(), [&](const JobFile& file) {
             const bool is_cut = cut_width != 0 && file.format->takes.cut_width;
+            if (feature.feature == Feature::kThickness)
+                return file.format->holds_thickness(job.file_options);
             return feature.taken(*file.format, job.is_in_space()) &&
                    (!is_cut || feature.feature == Feature::kCut);
         });
         if (taken) continue;
-        throw InvalidInput(std::string("no output takes ") + feature.in_files + "; add one of " +
-                           extensions_that_take(feature, job.is_in_space()) +
-                           ", or leave the option out");
+        const bool is_flat = feature.feature == Feature::kThickness &&
+                             std::any_of(files.begin(), files.end(), [](const JobFile& file) {
+                                 return file.format->takes.thickness;
+                             });
+        throw InvalidInput(
+            std::string("no output takes ") + feature.in_files + "; " +
+            (is_flat ? "take the elements C3D6 or C3D15 of .inp"
+                     : "add one of " + extensions_that_take(feature, job.is_in_space())) +
+            ", or leave the option out");
     }
     check_constants(job, files, phases);
     if (job.file_options.gltf_nodes == GltfNodes::kCells &&

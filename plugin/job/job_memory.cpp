@@ -40,6 +40,8 @@ constexpr FormatMemory kHanded{400, 160, 260};
 /// A box outline, and the map to the round space of an aspect, take these times as much.
 constexpr double kBoxedCells = 1.9;
 constexpr double kMappedGrains = 1.3;
+/// A wedge of six or fifteen nodes in place of its triangle: most of its file are equations.
+constexpr std::array<double, 3> kWedge{1, 3.7, 7};
 /// The part of its own run that a file adds while another one is written.
 constexpr double kBesideAnother = 0.5;
 /// A pixel of a picture that one colours.
@@ -98,7 +100,9 @@ double file_bytes(const Job& job, const JobFile& file) {
         file.mesh < 0 ? plane::MeshKind::kVoronoi : job.meshes[static_cast<std::size_t>(file.mesh)];
     const double side = job.file_options.pixels != 0 ? job.file_options.pixels : kDefaultPixels;
     const double pixels = file.format->takes.pixels ? kPixel * side * side : 0;
-    return mesh_bytes(job, kind, file.format->memory) + pixels +
+    const int wedges =
+        file.format->takes.element ? plane_element_row(job.file_options.element).wedge_order : 0;
+    return kWedge[wedges] * mesh_bytes(job, kind, file.format->memory) + pixels +
            (file.format->takes.voxels ? voxel_bytes(job) : 0);
 }
 

@@ -223,6 +223,7 @@ void append_materials(JsonWriter& json, const RunSummary& summary) {
         for (std::size_t k = 0; k < material.constants.numbers.size(); ++k) {
             json.member(names_of(material.constants)[k], material.constants.numbers[k]);
         }
+        if (!material.source.empty()) json.member("source", material.source);
         json.end();
     });
 }

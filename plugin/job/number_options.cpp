@@ -78,7 +78,8 @@ const std::array kNumberOptions{
               .field = "thickness",
               .group = kOutput,
               .form = "T",
-              .help = "of .foam: height of the layer of cells along z [sqrt(area / faces)]",
+              .help = "height of the layer along z: of the cells of .foam, and of the wedges of\n"
+                      "--element C3D6 or C3D15 [sqrt(area / faces)]",
               .of = &FileOptions::thickness}};
 
 }  // namespace

@@ -208,6 +208,18 @@ def check_composite(folder, _):
     require_files(folder, "composite.inp", "composite.svg")
 
 
+def check_unidirectional(folder, text):
+    require_files(folder, "ud.inp", "ud.dat")
+    along = float(re.search(r"E_z (\S+)$", text, re.M)[1])
+    # The mean by volume, and above it at most Hill's term.
+    require(30.1 < along < 30.4, f"E_z is {along}")
+
+
+def check_material_file(folder, _):
+    require("*MATERIAL,NAME=hard\n*ELASTIC,TYPE=ORTHO\n2.314e+11," in (folder / "metals.inp").read_text(),
+            "the constants are not those of the file")
+
+
 def check_cylinders(_, text):
     require_near(float(text.split()[-1]), 51.53, 0.03, "the drag over mu U")
 
@@ -462,6 +474,7 @@ ROWS = {
     ("Grain sizes", "A law of grain sizes"): Row(check_sizes),
     ("Grain sizes", "Laguerre cells of points and radii"): Row(check_laguerre),
     ("Phases and orientations", ""): Row(),
+    ("Phases and orientations", "Materials"): Row(check_material_file),
     ("Phases and orientations", "Textures"): Row(check_texture),
     ("Phases and orientations", "Stresses in a polycrystal"): Row(check_stresses, programs=("ccx",)),
     ("Phases and orientations", "Conductivities of phases by name"): Row(check_conductivities, programs=("gmsh", "getdp")),
@@ -471,6 +484,7 @@ ROWS = {
     ("Inclusions and fixed sites", ""): Row(),
     ("Inclusions and fixed sites", "Fibres and other shapes"): Row(check_fibres, programs=("gmsh", "getdp")),
     ("Inclusions and fixed sites", "A fibre composite"): Row(check_composite),
+    ("Inclusions and fixed sites", "A unidirectional composite"): Row(check_unidirectional, programs=("ccx",)),
     ("Inclusions and fixed sites", "Flow past cylinders"): Row(check_cylinders, programs=("simpleFoam",)),
     ("Symmetry", ""): Row(),
     ("Symmetry", "A rosette"): Row(check_rosette),

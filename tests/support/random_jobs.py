@@ -22,11 +22,11 @@ FOREIGN = (("--density", "1 + u"), ("--areas", "gamma:0.3"), ("--aspect", "2,30"
            ("--symmetry", "p4"), ("--fibres", "0.2,3"), ("--hole", "fibre"), ("--phases", "a:0.5,b:0.5"),
            ("--orientations", "random"), ("--stability",), ("--retry", "2"), ("--budget", "50"), ("--start", "lattice"),
            ("--start", "best"), ("--solver", "newton"), ("--solver", "lloyd"), ("--order", "2"), ("--size", "0.2"),
-           ("--per-edge", "2"), ("--surface", "boundary"), ("--job", "elastic"), ("--element", "CPS"), ("--voxels", "8,8"),
+           ("--per-edge", "2"), ("--surface", "boundary"), ("--job", "elastic"), ("--element", "CPS"), ("--element", "C3D6"), ("--voxels", "8,8"),
            ("--pixels", "40"), ("--cut", "30"), ("--thickness", "0.1"), ("--background", "#ffffff"), ("--float32",),
            ("--glb-nodes", "one"), ("--density-range", "1,2"), ("--origin", "auto"), ("--repeat", "2x1"), ("--strict",),
            ("--sites", "3"), ("--period", "1,1"), ("--lattice", "1,0,0,1"), ("--mesh", "delaunay"), ("--outline", "box"),
-           ("--period", "auto"), ("--material", "a:210000,0.3"), ("--duplicates", "drop"), ("--coriolis", "1e-4"),
+           ("--period", "auto"), ("--material", "a:210000,0.3"), ("--material", "no.yaml"), ("--duplicates", "drop"), ("--coriolis", "1e-4"),
            ("--no-such-option",), ("stray",), ("--colour", "orbit"), ("--short-edges", "0.1"), ("--cells", "cells.csv"))
 
 
@@ -289,7 +289,7 @@ def file_choices(job, formats):
         "--colour": (("obj", "ply", "glb", "svg"), COLOURS, ("none", "density", "phase", "orbit", "tag")),
         "--background": (("svg",), ("none", "#aabbcc"), ("red",)), "--glb-nodes": (("glb", "gltf"), ("one",), ("cells",)),
         "--pixels": (("png",), (1, 64, 333), ("-1",)), "--voxels": (("vti",), ("4,4", "16,8"), ("1,1",)),
-        "--cut": (("dxf",), (50,), ("0",)), "--element": (("inp",), ("CPE", "CPS"), ("C3D4",)),
+        "--cut": (("dxf",), (50,), ("0",)), "--element": (("inp",), ("CPE", "CPS", *(() if "--order" in job.words else ("C3D6", "C3D15"))), ("C3D4",)),
         "--job": (("inp",), ("elastic",), ("plastic",)), "--thickness": (("foam",), (0.1 * job.unit,), ("1e-30",)),
         "--retry": (("nc",), (1, 5), ("-1",)), "--coriolis": (("nc",), ("1e-4", "0,2e-11"), ("x", "1,2,3"))}
     for option, (needed, good, bad) in options.items():

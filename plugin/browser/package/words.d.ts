@@ -11,7 +11,7 @@ export type Mesh = 'voronoi' | 'delaunay' | 'grains';
 export type Outline = 'whole' | 'box';
 export type Colour = 'sides' | 'size' | 'cells' | 'density' | 'phase' | 'orbit' | 'tag' | 'faces' | 'orientation';
 export type GlbNodes = 'cells' | 'one';
-export type Element = 'CPE' | 'CPS';
+export type Element = 'CPE' | 'CPS' | 'C3D6' | 'C3D15';
 export type Job = 'elastic';
 export type Surface = 'cells' | 'boundary';
 

@@ -14,7 +14,7 @@ export const words = {
     outline: {whole: 0, box: 1},
     colour: {sides: 1, size: 2, cells: 3, density: 4, phase: 5, orbit: 6, tag: 7, faces: 8, orientation: 9},
     glbNodes: {cells: 1, one: 2},
-    element: {CPE: 0, CPS: 1},
+    element: {CPE: 0, CPS: 1, C3D6: 2, C3D15: 3},
     job: {elastic: 1},
     surface: {cells: 0, boundary: 1},
 };

@@ -43,7 +43,9 @@ void add_file_choices(CLI::App& app, FileChoices& choices, NumberTexts& numbers)
         ->type_name("F[,BETA]");
     add_number(app, "--cut", numbers);
     app.add_option("--element", choices.element,
-                   "of .inp: elements for plane strain (CPE) or plane stress (CPS) [CPE]")
+                   "of .inp: triangles for plane strain (CPE) or plane stress (CPS), or one\n"
+                   "layer of wedges along z, periodic there as well, for all six strains\n"
+                   "(C3D6, C3D15 of --order 2) [CPE]")
         ->type_name(listed_words(kPlaneElements, "|", "|"));
     app.add_option("--job", choices.job,
                    "of .inp: materials and steps besides the mesh, so that CalculiX runs\n"

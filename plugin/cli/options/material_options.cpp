@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "io/bytes/text.hpp"
+#include "io/run_files/material_reader.hpp"
 #include "io/run_files/orientation_reader.hpp"
 #include "mesher/base/error.hpp"
 
@@ -61,17 +62,20 @@ void add_material_options(CLI::App& app, MaterialOptions& options) {
            "of .inp with --job elastic, and of .vti: the elastic constants of a phase, E,NU,\n"
            "or C11,C12,C44 of cubic crystals, or C11,C12,C13,C33,C44 of hexagonal ones\n"
            "(axis z), in the unit of your choice; repeatable, once for each phase; same: all\n"
-           "phases are the same steel, or with --orientations iron, in MPa")
-        ->type_name("NAME:E,NU|same")
+           "phases are the same steel, or with --orientations iron, in MPa; FILE.yaml: the\n"
+           "constants of all phases, in the form of DAMASK")
+        ->type_name("NAME:E,NU|FILE.yaml|same")
         ->allow_extra_args(false);
 }
 
-ElasticChoices elastic_choices(const MaterialOptions& options) {
+ElasticChoices elastic_choices(const MaterialOptions& options, std::vector<std::string>& inputs) {
     std::string all;
     for (const std::string& material : options.materials) all += material + "\n";
     if (options.materials.empty()) return {};
     try {
-        return parse_elastic_choices(all);
+        return read_elastic_choices(all, inputs);
+    } catch (const BadFile&) {
+        throw;
     } catch (const InvalidInput& error) {
         throw InvalidInput(std::string("--material ") + error.what());
     }

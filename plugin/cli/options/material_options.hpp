@@ -35,8 +35,8 @@ MaterialChoices material_choices(const CLI::App& app, const MaterialOptions& opt
 /// Gives each site the phase of a table.
 void set_phases(const PhaseFile& file, MaterialChoices& choices);
 
-/// The elastic constants of --material.
-/// @throws InvalidInput naming the option.
-ElasticChoices elastic_choices(const MaterialOptions& options);
+/// The elastic constants of --material; adds the paths of their files to `inputs`.
+/// @throws InvalidInput, BadFile naming the option or the file with its line.
+ElasticChoices elastic_choices(const MaterialOptions& options, std::vector<std::string>& inputs);
 
 }  // namespace pcvt::cli

@@ -14,7 +14,7 @@ _Triple = Tuple[float, float, float]
 _Density = Union[_Path, Callable[[_Doubles, _Doubles], Any]]
 _Watch = Callable[[Progress], object]
 _Shape = Tuple[Any, ...]  # ("circle", tag, x, y, r), or an ellipse or polygon
-_Constants = Union[str, Mapping[str, ArrayLike]]
+_Constants = Union[str, os.PathLike[str], Mapping[str, ArrayLike]]
 
 __version__: str
 

@@ -1,6 +1,7 @@
 """Arguments of mesh() that take more than one form, and those that its dimension lacks."""
 
 import inspect
+import os
 
 import numpy as np
 
@@ -121,7 +122,9 @@ def set_materials(options, phases, orientations, weights):
 
 
 def material_text(materials):
-    """Elastic constants as text: {name: numbers}, or text."""
+    """Elastic constants as text: {name: numbers}, the path of a file, or text."""
+    if isinstance(materials, os.PathLike):
+        materials = os.fspath(materials)
     if not isinstance(materials, str):
         materials = " ".join(f"{name}:" + ",".join(repr(float(x)) for x in np.ravel(constants))
                              for name, constants in materials.items())

@@ -98,17 +98,19 @@ class Result:
         float32     of .ply: 32-bit coordinates, and cells as triangles
         pixels      width of .png; 0: 1024
         cut_width   of .svg and .dxf: only lines to cut, of a tile with this width in millimetres
-        element     of .inp: CPE (plane strain) or CPS (plane stress)
+        element     of .inp: CPE (plane strain), CPS (plane stress), or C3D6 or C3D15, one layer of wedges along z
+                    (grain_order 1 or 2), which is periodic there as well
         job         of .inp: none, or elastic: materials and steps, so that CalculiX runs the file
         materials   of .inp with job="elastic", and of .vti: the elastic constants of each phase, {name: (E, nu)},
                     (C11, C12, C44) of cubic crystals or (C11, C12, C13, C33, C44) of hexagonal ones (axis z);
                     without phases the name is GRAINS; "same": all phases are the same steel, or with
-                    orientations iron, in MPa. A job with two phases needs it
+                    orientations iron, in MPa; or the path of a .yaml file with its phases in the form of DAMASK.
+                    A job with two phases needs it
         progress    called with a Progress ten times a second; a true return value cancels
         colour      what colours show: sides, size, cells (neighbours differ), density, phase, orbit or tag
         background  of .svg: none or #rrggbb
         voxels      of .vti: the numbers along x and y; (0, 0): about 16 along h; a third one repeats the layer along z
-        thickness   of .foam: height of the layer of cells along z; 0: sqrt(area / faces)
+        thickness   of .foam, and of .inp with wedges: height of the layer along z; 0: sqrt(area / faces)
         coriolis    of .nc: (f, beta) of the Coriolis parameter f + beta y; (0, 0): none
         fields      numbers of pcvt_write_options, by their names in pcvt.h
         """

@@ -16,7 +16,7 @@ CHOICES = {
         "outline": {"whole": 0, "box": 1},
         "colour": {"default": 0, "sides": 1, "size": 2, "cells": 3, "density": 4, "phase": 5, "orbit": 6, "tag": 7},
         "glb_nodes": {"default": 0, "cells": 1, "one": 2},
-        "element": {"CPE": 0, "CPS": 1},
+        "element": {"CPE": 0, "CPS": 1, "C3D6": 2, "C3D15": 3},
         "job": {"none": 0, "elastic": 1},
     },
     3: {

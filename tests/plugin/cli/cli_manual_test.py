@@ -175,7 +175,7 @@ class Bash(CliTest):
                 (["mesh", "--to"], ["--tolerance"]),
                 (["mesh", "--mesh", ""], ["voronoi", "delaunay", "grains"]),
                 (["mesh", "--mesh", "=", "gr"], ["grains"]),
-                (["mesh", "--element", ""], ["CPE", "CPS"]),
+                (["mesh", "--element", ""], ["CPE", "CPS", "C3D6", "C3D15"]),
                 (["check", "--period", ""], [""]),
                 (["mesh", "--mesh", "="], ["voronoi", "delaunay", "grains"]),
                 (["mesh", "--outline", "b"], ["box"]),

@@ -66,7 +66,7 @@ class CaseFolder(CliTest):
         for wrong, words in (("0", "--thickness"), ("-1", "--thickness"), ("x", "--thickness"), ("nan", "--thickness"),
                              ("1e9", "not between 0.001 and 1000 times"), ("1e-9", "not between 0.001")):
             self.refuse(2, words, "mesh", "--sites", 30, "--thickness", wrong, "-o", "u.foam")
-        self.refuse(2, r"no output takes a thickness; add one of \.foam", "mesh", "--sites", 30, "--thickness", "0.3",
+        self.refuse(2, r"no output takes a thickness; add one of \.inp or \.foam", "mesh", "--sites", 30, "--thickness", "0.3",
                     "-o", "u.obj")
 
     def test_paths_that_openfoam_cannot_open_are_refused(self):

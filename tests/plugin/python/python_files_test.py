@@ -119,8 +119,22 @@ class Files(CliTest):
             files = self.contents()
             self.assertEqual(files[f"python{element}.inp"], files[f"command{element}.inp"])
         self.assertNotEqual(files["pythonCPE.inp"], files["pythonCPS.inp"])
+        self.succeed("mesh", "--sites", 12, "--mesh", "grains", "--element", "C3D15", "--thickness", 0.2, "-o", "command15.inp")
+        pcvt.mesh(12, grain_order=2).write(self.path("python15.inp"), "grains", element="C3D15", thickness=0.2)
+        self.assertEqual(self.path("python15.inp").read_bytes(), self.path("command15.inp").read_bytes())
+        with self.assertRaisesRegex(pcvt.ArgumentError, "the elements C3D15 have nodes in the middle of edges; take order 2"):
+            pcvt.mesh(12).write(self.path("no.inp"), "grains", element="C3D15")
         with self.assertRaisesRegex(pcvt.ArgumentError, "element 'C3D' is unknown; take one of CPE"):
             pcvt.mesh(12).write(self.path("no.inp"), "grains", element="C3D")
+
+    def test_materials_of_a_file_are_those_of_the_command(self):
+        self.path("metals.yaml").write_text("phase: {Copper: {mechanical: {elastic: {C_11: 168.3, C_12: 122.1, C_44: 75.7}}}}")
+        self.succeed("mesh", "--sites", 12, "--mesh", "grains", "--job", "elastic", "--material", "metals.yaml", "-o", "command.inp")
+        for name, materials in (("text", str(self.path("metals.yaml"))), ("path", self.path("metals.yaml"))):
+            pcvt.mesh(12).write(self.path(f"{name}.inp"), "grains", job="elastic", materials=materials)
+            self.assertEqual(self.path(f"{name}.inp").read_bytes(), self.path("command.inp").read_bytes())
+        with self.assertRaisesRegex(pcvt.Error, "no.yaml: cannot read: "):
+            pcvt.mesh(12).write(self.path("no.inp"), "grains", job="elastic", materials="no.yaml")
 
     def test_cells_are_those_of_the_table(self):
         grains = {"areas": "lognormal:0.3", "max_iterations": 2, "phases": "a:0.4,b:0.6", "orientations": "random"}
