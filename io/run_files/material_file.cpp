@@ -99,7 +99,7 @@ FileMaterial material_of(const std::string& file, const std::string& phase,
 }  // namespace
 
 void add_material_file(const std::string& name, std::string_view text, ElasticChoices& choices) {
-    const YamlValue file = parse_yaml(name, text, "phase");
+    const YamlValue file = parse_yaml(name, text);
     const YamlValue* const phases = file.find("phase");
     if (phases == nullptr || !phases->is_mapping || phases->members.empty()) {
         throw BadFile(name + ": holds no phase; " + kFileForm);

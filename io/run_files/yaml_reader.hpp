@@ -12,12 +12,12 @@ namespace pcvt {
 /// A value of a YAML file: a mapping, a list, whose items are left out, or else a scalar.
 ///
 /// Example usage:
-///     const YamlValue file = parse_yaml("m.yaml", text, "phase");
+///     const YamlValue file = parse_yaml("m.yaml", text);
 ///     if (const YamlValue* phase = file.find("phase")) read(*phase);
 struct YamlValue {
-    /// Of a scalar; of quoted ones without the quotes.
+    /// Of a scalar, without its quotes.
     std::string text = {};
-    /// The line on which it begins.
+    /// The line of the key of a member, else the line on which the value begins; from 1 on.
     int line = 0;
     bool is_mapping = false;
     bool is_list = false;
@@ -28,11 +28,10 @@ struct YamlValue {
     const YamlValue* find(std::string_view key) const;
 };
 
-/// Reads one section, a member of the mapping that a YAML file is, and leaves all others out:
-/// mappings in blocks and in braces, plain and quoted scalars, comments. Lists and texts in several
-/// lines (| and >) are skipped. Anchors, aliases, tags, and keys that are there twice are refused.
-/// @returns a mapping with this member, or an empty one.
+/// Reads a file of one YAML document by yaml-cpp. Aliases are replaced by what they name. Keys that
+/// are there twice, keys that are not words, and more than 32 mappings inside of each other are
+/// refused.
 /// @throws BadFile with the line.
-YamlValue parse_yaml(const std::string& name, std::string_view text, std::string_view section);
+YamlValue parse_yaml(const std::string& name, std::string_view text);
 
 }  // namespace pcvt

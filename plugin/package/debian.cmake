@@ -21,7 +21,7 @@ set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME pcvt-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "${same_version}, libeigen3-dev, libmuparser-dev, \
-libopenmesh-dev, libpng-dev, libtinygltf-dev, zlib1g-dev")
+libopenmesh-dev, libpng-dev, libtinygltf-dev, libyaml-cpp-dev, zlib1g-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION
   "Headers, static libraries, CMake package and pkg-config file of pcvt.")
 
