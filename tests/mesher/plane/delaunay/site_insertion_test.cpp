@@ -50,7 +50,7 @@ TEST(PlaneInsertion, EqualsTheMirrorsOnTies) {
 }
 
 // A hundred thousand of such sites took half a minute by strips and by mirrors.
-TEST(PlaneInsertion, OfUnevenSitesTakesNoQuadraticTime) {
+TEST(PlaneInsertion, SlowUnevenSitesTakeNoQuadraticTime) {
     const Lattice unit = Lattice::rectangle(1, 1);
     const int n = 20'000;
     Points line = uniform_points(unit, n, 1);
