@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -38,10 +39,18 @@ double penalty(double angle) {
     return angle < kNarrowAngle ? (kNarrowAngle - angle) * (kNarrowAngle - angle) : 0;
 }
 
+/// The penalty of the angle between two vectors.
+double penalty_between(const Vec3& a, const Vec3& b) {
+    // The square of the cosine of 25.1 degrees: most angles are wider, and need no arc tangent.
+    constexpr double kWide = 0.82;
+    const double cosine = dot(a, b);
+    if (cosine <= 0 || cosine * cosine < kWide * (dot(a, a) * dot(b, b))) return 0;
+    return penalty(degrees(a, b));
+}
+
 /// The penalty of an angle between two lines and of its supplement.
 double penalty_of_lines(const Vec3& a, const Vec3& b) {
-    const double angle = degrees(a, b);
-    return penalty(std::min(angle, 180 - angle));
+    return dot(a, b) < 0 ? penalty_between(a, -b) : penalty_between(a, b);
 }
 
 /// A part of the section of a cell: the line in which a plane cuts one of its faces, with the
@@ -67,6 +76,13 @@ class FaceSections {
             wrapped_.push_back(heights_.back() - std::floor(heights_.back()));
         }
         std::sort(wrapped_.begin(), wrapped_.end());
+        for (const VertexImage& corner : complex.corners) {
+            corners_.push_back(
+                {heights_[corner.vertex] + along(corner.offset), complex.position(corner)});
+        }
+        for (int f = 0; f < complex.n_faces(); ++f) {
+            tilts_.push_back(2 * penalty_of_lines(normal(f), up_));
+        }
     }
 
     /// The distance of a plane from the nearest vertex, in periods.
@@ -80,16 +96,13 @@ class FaceSections {
     int along(const Offset& offset) const {
         return reduction_.to_original(offset).components()[axis_];
     }
-    double height(const VertexImage& image) const {
-        return heights_[image.vertex] + along(image.offset);
-    }
     /// The range of heights of a face.
     std::pair<double, double> range(int f) const {
-        double low = height(complex_.corners_of(f)[0]);
+        double low = corners_of(f)[0].height;
         double high = low;
-        for (const VertexImage& corner : complex_.corners_of(f)) {
-            low = std::min(low, height(corner));
-            high = std::max(high, height(corner));
+        for (const FaceCorner& corner : corners_of(f)) {
+            low = std::min(low, corner.height);
+            high = std::max(high, corner.height);
         }
         return {low, high};
     }
@@ -99,19 +112,20 @@ class FaceSections {
     /// Planes that touch a face do not count.
     void cut(int f, double position, int whole, double& sum,
              std::vector<SectionEdge>& edges) const {
-        const auto corners = complex_.corners_of(f);
+        const std::span<const FaceCorner> corners = corners_of(f);
         const double plane = position + whole;
         std::array<Vec3, 2> ends;
         std::array<Vec3, 2> along_edges;
         int n_found = 0;
         bool rises_first = false;
         for (std::size_t k = 0; k < corners.size(); ++k) {
-            const double here = height(corners[k]) - plane;
-            const double next = height(corners[(k + 1) % corners.size()]) - plane;
+            const FaceCorner& to = corners[k + 1 < corners.size() ? k + 1 : 0];
+            const double here = corners[k].height - plane;
+            const double next = to.height - plane;
             if ((here < 0) == (next < 0)) continue;
             if (n_found == 2) return;
-            const Vec3 from = complex_.position(corners[k]);
-            const Vec3 step = complex_.position(corners[(k + 1) % corners.size()]) - from;
+            const Vec3& from = corners[k].position;
+            const Vec3 step = to.position - from;
             if (n_found == 0) rises_first = here < 0;
             ends[n_found] = from + here / (here - next) * step;
             along_edges[n_found++] = step;
@@ -121,7 +135,7 @@ class FaceSections {
         if (!rises_first) std::swap(along_edges[0], along_edges[1]);
         const Vec3 line = ends[1] - ends[0];
         for (const Vec3& edge : along_edges) sum += penalty_of_lines(line, edge);
-        sum += 2 * penalty_of_lines(normal(f), up_);
+        sum += tilts_[f];
         // From where the face rises to where it comes down runs the face below the plane, so that
         // the section has this line in reverse.
         const CellFace& face = complex_.faces[f];
@@ -132,13 +146,22 @@ class FaceSections {
     }
 
    private:
+    struct FaceCorner {
+        /// In periods.
+        double height;
+        Vec3 position;
+    };
+
+    std::span<const FaceCorner> corners_of(int f) const {
+        return {corners_.data() + complex_.begin[f], corners_.data() + complex_.begin[f + 1]};
+    }
+
     Vec3 normal(int f) const {
-        const auto corners = complex_.corners_of(f);
-        const Vec3 first = complex_.position(corners[0]);
+        const std::span<const FaceCorner> corners = corners_of(f);
+        const Vec3& first = corners[0].position;
         Vec3 area = Vec3::Zero();
         for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-            area += cross(complex_.position(corners[k]) - first,
-                          complex_.position(corners[k + 1]) - first);
+            area += cross(corners[k].position - first, corners[k + 1].position - first);
         }
         return area;
     }
@@ -153,6 +176,10 @@ class FaceSections {
     std::vector<double> heights_;
     /// The same from 0 to 1, rising.
     std::vector<double> wrapped_;
+    /// Of all faces, in the order of CellComplex::corners.
+    std::vector<FaceCorner> corners_;
+    /// For each face the penalty of its two dihedral angles with a plane.
+    std::vector<double> tilts_;
 };
 
 /// The penalty of the corners of sections, whose two sides are the pieces above and below.
@@ -175,7 +202,7 @@ double section_penalty(std::vector<SectionEdge>& edges) {
                                                    return (e.from - edges[k].to).squaredNorm() <
                                                           (g.from - edges[k].to).squaredNorm();
                                                });
-            sum += penalty(degrees(edges[k].from - edges[k].to, next->to - next->from));
+            sum += penalty_between(edges[k].from - edges[k].to, next->to - next->from);
         }
         begin = end;
     }

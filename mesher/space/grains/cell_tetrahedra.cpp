@@ -260,7 +260,9 @@ void CellTetrahedra::scale(double factor) {
 }
 
 void CellTetrahedra::release_memory() {
-    slots_ = {};
+    // An empty list in braces would leave the memory with the vector.
+    slots_.clear();
+    slots_.shrink_to_fit();
     points_.shrink_to_fit();
     sizes_.shrink_to_fit();
     one_at_.shrink_to_fit();

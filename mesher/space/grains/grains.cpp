@@ -135,7 +135,7 @@ class GrainFilling {
         for (int round = 0;; ++round) {
             // Flips have changed the triangles of hulls, but neither their points nor the order of
             // these.
-            hulls_ = {};
+            hulls_.clear();
             hulls_ = cell_hulls(complex_, surface_);
             mark_features();
             fill_again();
