@@ -46,7 +46,8 @@ Eigen::VectorXd descent(const std::deque<StepPair>& pairs, const Eigen::VectorXd
     return direction;
 }
 
-/// Finds an acceptable step along a direction, and the evaluation there.
+}  // namespace
+
 std::optional<double> search_slopes(OptimizerRun& run, const Eigen::VectorXf& direction,
                                     double longest, Evaluation& evaluation) {
     const Eigen::VectorXd along = direction.cast<double>();
@@ -75,24 +76,19 @@ std::optional<double> search_slopes(OptimizerRun& run, const Eigen::VectorXf& di
     return std::nullopt;
 }
 
-}  // namespace
-
 OptimizerResult minimize_convex(Objective& objective, const Eigen::VectorXd& scales,
-                                const OptimizerOptions& options, const DescentStep& step) {
+                                const OptimizerOptions& options) {
     OptimizerRun run(objective, options);
     Evaluation here;
     Eigen::VectorXf direction = Eigen::VectorXf::Zero(objective.n_variables());
     if (!run.evaluate(direction, 0, here)) return run.finish(Stop::kStalled, here);
     std::deque<StepPair> pairs;
-    bool may_step = bool(step);
     for (;;) {
         if (const auto stop = run.before_iteration(here)) return run.finish(*stop, here);
-        const bool is_step = may_step && step(here, direction);
-        if (!is_step) direction = descent(pairs, scales, here.gradient).cast<float>();
+        direction = descent(pairs, scales, here.gradient).cast<float>();
         const Eigen::VectorXd before = here.gradient;
         const auto t =
             search_slopes(run, direction, options.max_move / largest_move(direction), here);
-        may_step = step && (t || !is_step);
         if (t) {
             run.accept();
             StepPair pair{*t * direction.cast<double>(), here.gradient - before, 0};
@@ -104,10 +100,10 @@ OptimizerResult minimize_convex(Objective& objective, const Eigen::VectorXd& sca
             continue;
         }
         // The direction is spoilt, by pairs from far away or by rounding: begin again.
-        if (!run.evaluate(direction, 0, here) || (pairs.empty() && !is_step)) {
+        if (!run.evaluate(direction, 0, here) || pairs.empty()) {
             return run.finish(Stop::kStalled, here);
         }
-        if (!is_step) pairs.clear();
+        pairs.clear();
     }
 }
 

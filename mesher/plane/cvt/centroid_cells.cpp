@@ -2,38 +2,65 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+#include <vector>
 
-#include "mesher/cvt/centroid_fit.hpp"
-#include "mesher/plane/energy/energy.hpp"
-#include "mesher/plane/power/power_diagram.hpp"
+#include "mesher/plane/cvt/centroid_path.hpp"
 #include "mesher/torus/coincident_sites.hpp"
 
 namespace pcvt::plane {
 namespace {
 
+/// A walk along short edges between sites within the reach of each other stays within this multiple
+/// of it.
+constexpr double kFarthestWalk = 1.5;
+
 void measure(const PowerDiagram& diagram, Workers& workers, Energy& cells) {
     measure_cells(diagram.regular(), diagram.heights(), workers, cells);
 }
 
-void derivatives(const PowerDiagram& diagram, double unit, BlockMatrix& matrix) {
-    assemble_moment_derivatives(diagram.regular(), diagram.heights(), unit, matrix);
-}
-
-/// Each site is joined to its nearest neighbour by a Delaunay edge.
-double shortest_edge(const MovingDelaunay& moving) {
+/// The edges between two sites, once each.
+std::vector<SitePair<2>> edges(const MovingDelaunay& moving) {
     const TorusTriangulation& t = moving.triangulation();
-    double least = std::numeric_limits<double>::infinity();
+    std::vector<SitePair<2>> found;
     for (int h = 0; h < t.n_halfedges(); ++h) {
         const Corner from = t.corner(h);
         const Corner to = t.corner(TorusTriangulation::next(h));
-        const Vec2 edge = moving.frame().to_position(
-            difference(image(moving.coordinates(), from.site, from.offset),
-                       image(moving.coordinates(), to.site, to.offset)));
-        least = std::min(least, edge.squaredNorm());
+        if (h > t.opposite(h) || from.site == to.site) continue;
+        const Vec2 apart = difference(image(moving.coordinates(), from.site, from.offset),
+                                      image(moving.coordinates(), to.site, to.offset));
+        found.push_back({from.site, to.site, moving.frame().to_position(apart)});
     }
-    return std::sqrt(least);
+    return found;
+}
+
+/// The edges, and the other pairs of sites within the reach of the repulsion. Edges shorter than
+/// the distance of a pair lead from one of its sites to the other.
+std::vector<SitePair<2>> pairs(const MovingDelaunay& moving) {
+    std::vector<SitePair<2>> found = edges(moving);
+    const double reach = CentroidPathObjective::kReach * moving.spacing();
+    std::vector<std::vector<SitePair<2>>> near(static_cast<std::size_t>(moving.n_sites()));
+    for (const SitePair<2>& edge : found) {
+        if (!(edge.apart.norm() < reach)) continue;
+        near[edge.from].push_back(edge);
+        near[edge.to].push_back({edge.to, edge.from, -edge.apart});
+    }
+    for (SiteId s = 0; s < moving.n_sites(); ++s) {
+        std::vector<SitePair<2>> walk = near[s];
+        const auto is_known = [&](SiteId site) {
+            return site == s || std::any_of(walk.begin(), walk.end(),
+                                            [&](const auto& pair) { return pair.to == site; });
+        };
+        for (std::size_t k = 0; k < walk.size(); ++k) {
+            for (const SitePair<2>& edge : near[walk[k].to]) {
+                const Vec2 apart = walk[k].apart + edge.apart;
+                if (!(apart.norm() < kFarthestWalk * reach) || is_known(edge.to)) continue;
+                walk.push_back({s, edge.to, apart});
+                if (s < edge.to && apart.norm() < reach) found.push_back(walk.back());
+            }
+        }
+    }
+    return found;
 }
 
 /// @throws InvalidInput if two of the centroids nearly coincide.
@@ -61,13 +88,9 @@ CentroidCells fit_areas_and_centroids(const Lattice& lattice, const Points& cent
     for (SiteId s = 0; s < n; ++s) areas[s] = options.areas[moving.original_id(s)];
     areas *= moving.frame().ax * moving.frame().by / areas.sum();
     Workers workers(options.run.n_threads);
-    CentroidObjective<EnergyPass, PowerDiagram> objective(
-        moving, areas, workers, options.newton_progress, measure, shortest_edge, derivatives);
-    RunStatistics run =
-        fit_centroids(moving, areas, objective, options.run,
-                      [&](const Evaluation& here, Eigen::VectorXf& direction) {
-                          return objective.newton_step(here, longest_move(moving), direction);
-                      });
+    CentroidPathObjective objective(moving, areas, workers, options.newton_progress, measure,
+                                    pairs);
+    RunStatistics run = follow_centroid_path(objective, options.run);
     const CentroidFigures figures = objective.finish(area_tolerance(n));
     run.residual = figures.largest;
     run.energy = objective.cells().value * std::pow(unit, 4);

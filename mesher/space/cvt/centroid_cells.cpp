@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 #include "mesher/cvt/centroid_fit.hpp"
 #include "mesher/space/cvt/distinct_sites.hpp"
@@ -19,18 +19,20 @@ void measure(const PowerDiagram& diagram, Workers& workers, Energy& cells) {
     measure_cells(diagram.regular(), workers, cells);
 }
 
-/// Each site is joined to its nearest neighbour by a Delaunay edge.
-double shortest_edge(const MovingTetrahedra& moving) {
-    double least = std::numeric_limits<double>::infinity();
+std::vector<SitePair<3>> pairs(const MovingTetrahedra& moving) {
+    std::vector<SitePair<3>> found;
     for (int t = 0; t < moving.tetrahedra().n_tetrahedra(); ++t) {
         const Tetrahedron corners = moving.tetrahedra().tetrahedron(t);
         std::array<Vec3, 4> p;
         for (int c = 0; c < 4; ++c) {
             p[c] = moving.frame().to_position(image(moving.coordinates(), corners[c]).at);
-            for (int e = 0; e < c; ++e) least = std::min(least, (p[c] - p[e]).squaredNorm());
+            for (int e = 0; e < c; ++e) {
+                if (corners[c].site == corners[e].site) continue;
+                found.push_back({corners[e].site, corners[c].site, p[c] - p[e]});
+            }
         }
     }
-    return std::sqrt(least);
+    return found;
 }
 
 /// @throws InvalidInput if two of the centroids nearly coincide.
@@ -54,8 +56,8 @@ CentroidCells fit_volumes_and_centroids(const Lattice& lattice, const Points& ce
     for (SiteId s = 0; s < n; ++s) volumes[s] = options.volumes[moving.original_id(s)];
     volumes *= moving.frame().volume() / volumes.sum();
     Workers workers(options.run.n_threads);
-    CentroidObjective<EnergyPass, PowerDiagram> objective(
-        moving, volumes, workers, options.newton_progress, measure, shortest_edge);
+    CentroidObjective<EnergyPass, PowerDiagram> objective(moving, volumes, workers,
+                                                          options.newton_progress, measure, pairs);
     RunStatistics run = fit_centroids(moving, volumes, objective, options.run);
     const CentroidFigures figures = objective.finish(volume_tolerance(n));
     run.residual = figures.largest;

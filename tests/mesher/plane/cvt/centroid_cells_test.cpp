@@ -10,6 +10,7 @@
 #include "mesher/cvt/centroid_fit.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
+#include "tests/support/case_count.hpp"
 #include "tests/support/lattices.hpp"
 
 namespace pcvt::plane {
@@ -91,10 +92,20 @@ TEST(CentroidCells, OfPowerDiagramsAreFoundOnAllLattices) {
     }
 }
 
-// Newton's steps end the run: L-BFGS needs more than 100 iterations.
+// L-BFGS needs more than 100 iterations.
 TEST(CentroidCells, OfRelaxedGrainsAreFoundInFewIterations) {
     const Grains grains = random_grains(Lattice::rectangle(1, 1), 300, 1, 5);
-    EXPECT_LE(fitted(grains).grains.run.iterations, 20);
+    EXPECT_LE(fitted(grains).grains.run.iterations, 10);
+}
+
+// On the way sites come near each other, from the wrong side as well.
+TEST(CentroidCells, OfRandomSitesAreFound) {
+    const int n_seeds = testing::case_count("PCVT_CENTROID_CASES", 4);
+    for (int seed = 0; seed < n_seeds; ++seed) {
+        SCOPED_TRACE(seed);
+        const Grains grains = random_grains(Lattice::rectangle(1, 1), 150, seed, 0);
+        expect_recovered(grains);
+    }
 }
 
 TEST(CentroidCells, OfAThousandGrainsAreFound) {
@@ -114,7 +125,7 @@ TEST(CentroidCells, StateTheMisfitOfNoisyCentroids) {
     const double off = largest_misfit(found, grains);
     EXPECT_NEAR(cells.centroids.largest, off, 1e-9 + 1e-8 * off);
     EXPECT_LT((found.areas - grains.areas).cwiseAbs().maxCoeff(), 1e-9 * grains.areas.mean());
-    EXPECT_LT(cells.centroids.mean, 0.055);
+    EXPECT_LT(cells.centroids.mean, 0.045);
 }
 
 // Law 4: centroids that are made up belong to no power cells.
