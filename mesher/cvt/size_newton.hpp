@@ -75,7 +75,6 @@ using NewtonCallback = std::function<void(const SizeFigures&)>;
 ///   graph()                    the adjacency of the cells
 ///   kSizeRounding              k 2^-53
 ///   kAimedRounding             the same for sizes that a few more steps reach
-///   kAggregation               the argument of LaplacianSolver
 ///   kWarmTrials                how often weights of an earlier call, then halves of them, are
 ///   tried
 ///                              at the beginning
@@ -134,7 +133,8 @@ class SizeNewton {
         double tolerance;
         double least_size;
         SizeFigures figures = {};
-        double last_error = std::numeric_limits<double>::infinity();
+        /// |s - m| before the last step.
+        double last_error = 0;
         /// The hierarchy of an earlier step, and the error of the sizes when it was built.
         std::optional<LaplacianSolver> solver = {};
         double solver_error = std::numeric_limits<double>::infinity();

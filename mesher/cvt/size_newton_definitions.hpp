@@ -22,7 +22,10 @@ inline constexpr double kPerTolerance = 0.1;
 inline constexpr double kTightest = 1e-8;
 /// Errors above this, relative to the sizes, are far from the solution.
 inline constexpr double kFar = 1e-4;
-/// Coarse problems of an earlier step serve as well once the error is below this.
+/// Coarse problems of an earlier step serve until the error is below this share of that step's, and
+/// for good if that step's was below kFixedCoarse, relative to the sizes: setting them up takes as
+/// long as 15 products.
+inline constexpr double kCoarseRange = 0.25;
 inline constexpr double kFixedCoarse = 0.1;
 /// Where only steps below this are acceptable along an approximate solution, its error exceeds the
 /// sizes of small cells, and it is solved again to a fraction of the residual.
@@ -152,15 +155,13 @@ typename SizeNewton<Diagram>::Outcome SizeNewton<Diagram>::search(Iteration& now
 /// @param error  |s - m|
 template <class Diagram>
 double SizeNewton<Diagram>::accuracy(const Iteration& now, double error) {
-    const double least_error =
-        now.tolerance * now.targets.minCoeff() * std::sqrt(double(now.targets.size()));
+    if (now.figures.newton_steps == 0) return detail::kLoosest;
     const double reduction = error / now.last_error;
     const double next = detail::kPerReduction * reduction * std::sqrt(reduction);
+    const double least_error =
+        now.tolerance * now.targets.minCoeff() * std::sqrt(double(now.targets.size()));
     const double of_last = detail::kPerTolerance * least_error / error;
-    return std::min(now.last_error < std::numeric_limits<double>::infinity()
-                        ? std::max(next, of_last)
-                        : detail::kLoosest,
-                    detail::kLoosest);
+    return std::min(std::max(next, of_last), detail::kLoosest);
 }
 
 /// The solver of the next step.
@@ -168,10 +169,11 @@ double SizeNewton<Diagram>::accuracy(const Iteration& now, double error) {
 template <class Diagram>
 LaplacianSolver& SizeNewton<Diagram>::prepare(Iteration& now, const CellGraph& cells,
                                               double error) {
-    if (now.solver_error < detail::kFixedCoarse * now.targets.norm()) {
+    if (now.solver_error < detail::kFixedCoarse * now.targets.norm() ||
+        error > detail::kCoarseRange * now.solver_error) {
         now.solver->replace_finest(cells);
     } else {
-        now.solver.emplace(cells, Diagram::kAggregation);
+        now.solver.emplace(cells);
         now.solver_error = error;
     }
     return *now.solver;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "mesher/cells/cell_graph.hpp"
-#include "mesher/cells/laplacian_solver.hpp"
 #include "mesher/plane/delaunay/moving_delaunay.hpp"
 #include "mesher/plane/delaunay/periodic_delaunay.hpp"
 #include "mesher/plane/power/power_cells.hpp"
@@ -28,7 +27,6 @@ class PowerDiagram {
     /// Roundings of weights, and of the heights that follow from them, add up in one area: 64.
     static constexpr double kSizeRounding = 64 * kUnitRoundoff;
     static constexpr double kAimedRounding = 8 * kUnitRoundoff;
-    static constexpr auto kAggregation = LaplacianSolver::Aggregation::kStrong;
     /// Weights of an earlier call are tried as they are.
     static constexpr int kWarmTrials = 1;
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "mesher/cells/cell_graph.hpp"
-#include "mesher/cells/laplacian_solver.hpp"
 #include "mesher/space/delaunay/moving_tetrahedra.hpp"
 #include "mesher/space/power/power_cells.hpp"
 
@@ -43,7 +42,6 @@ class PowerDiagram {
     /// One rounding of each weight; volumes are measured to 1e-11 of their mean or so.
     static constexpr double kSizeRounding = 0x1p-53;
     static constexpr double kAimedRounding = kSizeRounding;
-    static constexpr auto kAggregation = LaplacianSolver::Aggregation::kStrong;
     /// Weights of earlier sites may hide some: halves of them are tried so often.
     static constexpr int kWarmTrials = 6;
 

@@ -29,7 +29,6 @@ class Intervals {
     using Moving = Circle;
     static constexpr double kSizeRounding = 0x1p-53;
     static constexpr double kAimedRounding = kSizeRounding;
-    static constexpr auto kAggregation = LaplacianSolver::Aggregation::kPairs;
     static constexpr int kWarmTrials = 1;
 
     Intervals(const Circle& circle, Workers&) : circle_(&circle) {}
