@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "io/bytes/readable_number.hpp"
@@ -181,16 +182,22 @@ class InclusionCheck {
             area[k] += plane::polygon_area(polygon) / copies_;
             perimeter[k] += plane::polygon_perimeter(polygon) / copies_;
         }
+        std::vector<double> wanted(area.size(), 0);
         for (int k = 0; k < n_shapes_; ++k) {
-            const double error = std::abs(area[k] - shape_area(set_[k].shape)) / domain_area_;
+            const double of_shape = shape_area(set_[k].shape);
+            wanted[k] += of_shape;
+            if (parent_of(k) >= 0) wanted[parent_of(k)] -= of_shape;
+        }
+        for (int k = 0; k < n_shapes_; ++k) {
+            const double error = std::abs(area[k] - wanted[k]) / domain_area_;
             const double tolerance = kSameArea + perimeter[k] * proof_.tolerance / domain_area_;
             area_error_ = std::max(area_error_, error);
             area_tolerance_ = std::max(area_tolerance_, tolerance);
             if (error <= tolerance) continue;
             refute(k, std::string(is_hole_[k] ? "the hole has" : "the cells inside have") +
-                          " the area " + figure(area[k]) + ", not " +
-                          figure(shape_area(set_[k].shape)) + ": off by " + figure(error) +
-                          " of the domain (tolerance " + figure(tolerance) + ")");
+                          " the area " + figure(area[k]) + ", not " + figure(wanted[k]) +
+                          ": off by " + figure(error) + " of the domain (tolerance " +
+                          figure(tolerance) + ")");
         }
     }
 
@@ -216,8 +223,23 @@ class InclusionCheck {
         return {proof_.first_copy[corners[c]], proof_.first_copy[corners[next]]};
     }
 
+    /// The shape with a shape of one domain right inside, or -1.
+    int parent_of(int k) const {
+        const int parent = set_.parent(k);
+        return parent < 0 ? -1 : parent % n_shapes_;
+    }
+    /// Whether an edge between shape k and another one is none of its outline: the other one is the
+    /// same, or lies right inside, so that the edge is of its outline.
+    bool is_within(int other, int k) const {
+        return other == k || (other >= 0 && parent_of(other) == k);
+    }
+
     void collect_edges() {
         const auto beside = inclusions_beside_edges();
+        std::set<std::pair<int, int>> at_holes;
+        for (const auto& [wall, v, w] : proof_.wall_edges) {
+            if (wall.is_hole()) at_holes.insert({v, w});
+        }
         for (int f = 0; f < tile_.n_faces(); ++f) {
             const int k = shape_of_face(f);
             if (k < 0) continue;
@@ -225,7 +247,8 @@ class InclusionCheck {
                 const auto [v, w] = edge(f, c);
                 const auto other = beside.find({v, w});
                 // Merged vertices leave edges of length 0.
-                if (v == w || (other != beside.end() && other->second == k)) continue;
+                if (v == w || at_holes.contains({v, w})) continue;
+                if (other != beside.end() && is_within(other->second, k)) continue;
                 const plane::Vec2& p = tile_.points[v];
                 const plane::Vec2& q = tile_.points[w];
                 add_edge(k, p, q);

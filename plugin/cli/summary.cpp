@@ -151,6 +151,7 @@ std::string size_lines(const Job& job, const SizeSummary& sizes) {
 
 std::string inclusion_text(const plane::InterfaceFigures& figures) {
     std::string text = counted(static_cast<int>(figures.shapes.size()), "shape");
+    if (figures.n_nested > 0) text += ", " + std::to_string(figures.n_nested) + " inside of others";
     if (figures.n_images > 0) {
         text += " (" + counted(figures.n_images, "listed image") + " left out)";
     }

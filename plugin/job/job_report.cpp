@@ -162,6 +162,7 @@ void append_inclusions(JsonWriter& json, const Job& job, const RunSummary& summa
         json.member("source", inclusion_source(job));
         json.member("shapes", figures.shapes.size());
         if (figures.n_images > 0) json.member("images_left_out", figures.n_images);
+        if (figures.n_nested > 0) json.member("nested", figures.n_nested);
         if (job.fibres && !figures.shapes.empty()) {
             json.list("fibres", figures.shapes, [&](const plane::Inclusion& inclusion) {
                 const auto& [centre, radius] = std::get<plane::Circle>(inclusion.shape);

@@ -215,6 +215,14 @@ def check_unidirectional(folder, text):
     require(30.1 < along < 30.4, f"E_z is {along}")
 
 
+def check_coated(folder, text):
+    require("2 inclusions of coated.txt" in text, "the check names no inclusions")
+    share = [0.09 * math.pi, 0.0325 * math.pi]
+    mean = 70 * share[0] + 10 * share[1] + 3.5 * (1 - sum(share))
+    along = float(re.search(r"E_z (\S+)$", text, re.M)[1])
+    require(mean < along < 1.01 * mean, f"E_z is {along}, and the mean {mean}")
+
+
 def check_material_file(folder, _):
     require("*MATERIAL,NAME=hard\n*ELASTIC,TYPE=ORTHO\n2.314e+11," in (folder / "metals.inp").read_text(),
             "the constants are not those of the file")
@@ -484,6 +492,7 @@ ROWS = {
     ("Inclusions and fixed sites", ""): Row(),
     ("Inclusions and fixed sites", "Fibres and other shapes"): Row(check_fibres, programs=("gmsh", "getdp")),
     ("Inclusions and fixed sites", "A fibre composite"): Row(check_composite),
+    ("Inclusions and fixed sites", "Coated fibres"): Row(check_coated, programs=("ccx",)),
     ("Inclusions and fixed sites", "A unidirectional composite"): Row(check_unidirectional, programs=("ccx",)),
     ("Inclusions and fixed sites", "Flow past cylinders"): Row(check_cylinders, programs=("simpleFoam",)),
     ("Symmetry", ""): Row(),

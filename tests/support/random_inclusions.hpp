@@ -9,6 +9,12 @@
 
 namespace pcvt::testing {
 
+/// Whether two shapes, the second one translated, are not apart.
+inline bool shapes_meet(const plane::Shape& first, const plane::Shape& second,
+                        const plane::Vec2& translation) {
+    return shape_relation(first, second, translation) != plane::ShapeRelation::kApart;
+}
+
 /// Points on the curve, in order.
 inline plane::Polygon points_on(const plane::Shape& shape, int n) {
     plane::Polygon points;
@@ -100,6 +106,7 @@ inline std::vector<plane::Inclusion> random_inclusions(const plane::Lattice& lat
         bool fits = true;
         try {
             const plane::InclusionSet set(lattice, inclusions, wanted.walls);
+            for (int i = 0; i <= k; ++i) fits = fits && set.parent(i) < 0;
             for (const plane::Vec2& p : points_on(shape, 40)) {
                 fits = fits && set.distance_to_others(k, p, 2 * gap) >= gap;
             }

@@ -194,7 +194,14 @@ std::vector<int> inclusions_of_sites(const Sites& sites, const InterfaceSites& i
     for (SiteId s = interfaces.n_seeds(); s < sites.n_sites(); ++s) {
         grid.add(s, sites.coordinates().col(s));
     }
-    for (std::size_t i = 0; i < interfaces.polygons.size(); ++i) {
+    // The larger ones first, because an inner one replaces the inclusion around it.
+    std::vector<std::size_t> order(interfaces.polygons.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::vector<double> areas;
+    for (const Polygon& polygon : interfaces.polygons) areas.push_back(polygon_area(polygon));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return areas[i] > areas[j]; });
+    for (const std::size_t i : order) {
         const PolygonSides sides(interfaces.polygons[i]);
         const Circle bounds = bounding_circle(interfaces.polygons[i]);
         const Vec2 u = reduced.to_lattice(bounds.centre);

@@ -96,25 +96,51 @@ EllipseAxes image_of_disc(const Eigen::Matrix2d& map, const Vec2& centre) {
     return {centre, along, a, std::min(a, std::abs(cross(map.col(0), map.col(1))) / a)};
 }
 
+/// How the unit disc lies to a curve at this signed distance from its centre; kMeet also where the
+/// curve is inside.
+ShapeRelation relation_of_disc(double distance) {
+    if (distance > 1 + kTouching) return ShapeRelation::kApart;
+    return distance < -1 - kTouching ? ShapeRelation::kFirstInside : ShapeRelation::kMeet;
+}
+
 /// After mapping the first ellipse to the unit disc.
-bool meet(const EllipseAxes& first, const EllipseAxes& second) {
+ShapeRelation relation_in_disc(const EllipseAxes& first, const EllipseAxes& second) {
     Eigen::Matrix2d map = map_from_disc(second);
     map.col(0) = to_disc(first, map.col(0));
     map.col(1) = to_disc(first, map.col(1));
     const EllipseAxes image = image_of_disc(map, to_disc(first, second.centre - first.centre));
-    return signed_distance_of(image, Vec2(0, 0)) <= 1 + kTouching;
+    return relation_of_disc(signed_distance_of(image, Vec2(0, 0)));
 }
 
-bool meet(const EllipseAxes& ellipse, const Polygon& polygon) {
+ShapeRelation exchanged(ShapeRelation relation) {
+    if (relation == ShapeRelation::kFirstInside) return ShapeRelation::kSecondInside;
+    return relation == ShapeRelation::kSecondInside ? ShapeRelation::kFirstInside : relation;
+}
+
+ShapeRelation relation(const EllipseAxes& first, const EllipseAxes& second) {
+    const ShapeRelation found = relation_in_disc(first, second);
+    if (found != ShapeRelation::kMeet) return found;
+    const ShapeRelation other = relation_in_disc(second, first);
+    return other == ShapeRelation::kFirstInside ? ShapeRelation::kSecondInside : found;
+}
+
+ShapeRelation relation(const EllipseAxes& ellipse, const Polygon& polygon) {
     Polygon image;
-    for (const Vec2& corner : polygon) image.push_back(to_disc(ellipse, corner - ellipse.centre));
-    return signed_distance_of(image, Vec2(0, 0)) <= 1 + kTouching;
+    double farthest = 0;
+    for (const Vec2& corner : polygon) {
+        image.push_back(to_disc(ellipse, corner - ellipse.centre));
+        farthest = std::max(farthest, image.back().norm());
+    }
+    if (farthest < 1 - kTouching) return ShapeRelation::kSecondInside;
+    return relation_of_disc(signed_distance_of(image, Vec2(0, 0)));
 }
 
-bool meet(const Polygon& polygon, const EllipseAxes& ellipse) { return meet(ellipse, polygon); }
+ShapeRelation relation(const Polygon& polygon, const EllipseAxes& ellipse) {
+    return exchanged(relation(ellipse, polygon));
+}
 
-bool meet(const Polygon& first, const Polygon& second) {
-    return PolygonSides(first).meet(PolygonSides(second), Vec2(0, 0));
+ShapeRelation relation(const Polygon& first, const Polygon& second) {
+    return PolygonSides(first).relation(PolygonSides(second), Vec2(0, 0));
 }
 
 /// Calls the function with the shape as EllipseAxes or as Polygon.
@@ -178,10 +204,11 @@ double signed_distance(const Shape& shape, const Vec2& p) {
     return with_kind(shape, [&](const auto& kind) { return signed_distance_of(kind, p); });
 }
 
-bool shapes_meet(const Shape& first, const Shape& second, const Vec2& translation) {
+ShapeRelation shape_relation(const Shape& first, const Shape& second, const Vec2& translation) {
     return with_kind(first, [&](const auto& one) {
-        return with_kind(
-            second, [&](const auto& other) { return meet(one, translated(other, translation)); });
+        return with_kind(second, [&](const auto& other) {
+            return relation(one, translated(other, translation));
+        });
     });
 }
 

@@ -8,6 +8,7 @@
 #include "mesher/base/error.hpp"
 #include "mesher/plane/geometry/polygon.hpp"
 #include "mesher/plane/interfaces/mirror_image.hpp"
+#include "mesher/plane/interfaces/polygon_sides.hpp"
 
 namespace pcvt::plane {
 
@@ -62,9 +63,9 @@ double shape_area(const Shape& shape);
 /// The distance of p from the curve, negative inside of it.
 double signed_distance(const Shape& shape, const Vec2& p);
 
-/// Whether the second shape, translated, meets the first: whether their curves touch or one
-/// contains the other.
-bool shapes_meet(const Shape& first, const Shape& second, const Vec2& translation);
+/// How the first shape and the second one, translated, lie. Curves touch if they are nearer to each
+/// other than 1e-9 of the size of the first.
+ShapeRelation shape_relation(const Shape& first, const Shape& second, const Vec2& translation);
 
 /// The image r of a shape between walls (mirror_image()).
 Shape mirrored(const Shape& shape, Walls walls, int r);

@@ -88,7 +88,8 @@ InclusionSet::InclusionSet(const Lattice& domain, std::vector<Inclusion> inclusi
     grid_.emplace(reduced, size());
     for (const Inclusion& inclusion : inclusions_) {
         const Circle bounds = bounding_circle(inclusion.shape);
-        const bool is_larger = !(shape_area(inclusion.shape) < domain.area());
+        areas_.push_back(shape_area(inclusion.shape));
+        const bool is_larger = !(areas_.back() < domain.area());
         if (is_larger || !(bounds.radius < kLongest / 2 * reduced.b().norm())) {
             refuse(inclusion, "the shape is larger than the domain; make it smaller");
         }
@@ -103,7 +104,7 @@ InclusionSet::InclusionSet(const Lattice& domain, std::vector<Inclusion> inclusi
         bounds_.push_back(bounds);
         largest_radius_ = std::max(largest_radius_, bounds.radius);
     }
-    require_apart();
+    find_parents();
 }
 
 void InclusionSet::require_between_walls(const Inclusion& inclusion) const {
@@ -149,17 +150,37 @@ void InclusionSet::visit_images(const Vec2& p, double distance, const Visit& vis
     });
 }
 
-void InclusionSet::require_apart() const {
+ShapeRelation InclusionSet::relation(int i, int j, const Vec2& translation) const {
+    return sides_[i].size() > 0 && sides_[j].size() > 0
+               ? sides_[i].relation(sides_[j], translation)
+               : shape_relation(inclusions_[i].shape, inclusions_[j].shape, translation);
+}
+
+void InclusionSet::put_inside(int inner, int outer) {
+    int& parent = parents_[inner];
+    if (parent < 0 || areas_[outer] < areas_[parent]) parent = outer;
+}
+
+/// Finds which shapes lie inside of others, and refuses outlines that meet.
+void InclusionSet::find_parents() {
+    parents_.assign(inclusions_.size(), -1);
     for (int i = 0; i < n_given(); ++i) {
         checkpoint();
         int other = size();
         const auto compare = [&](int j, const Vec2& translation) {
             if (j < i || j >= other || (j == i && translation.isZero(0))) return;
-            const bool are_polygons = sides_[i].size() > 0 && sides_[j].size() > 0;
-            const bool meet =
-                are_polygons ? sides_[i].meet(sides_[j], translation)
-                             : shapes_meet(inclusions_[i].shape, inclusions_[j].shape, translation);
-            if (meet) other = j;
+            const ShapeRelation found = relation(i, j, translation);
+            if (found == ShapeRelation::kApart) return;
+            const bool is_nested =
+                found != ShapeRelation::kMeet && j != i &&
+                !lies_on_image(reduction_.reduced, inclusions_[i], inclusions_[j]);
+            if (!is_nested) {
+                other = j;
+            } else if (found == ShapeRelation::kFirstInside) {
+                put_inside(i, j);
+            } else {
+                put_inside(j, i);
+            }
         };
         visit_images(bounds_[i].centre, bounds_[i].radius * (1 + kSameVertex), compare);
         if (other == i) {
@@ -169,6 +190,11 @@ void InclusionSet::require_apart() const {
             refuse(inclusions_[other],
                    complaint_of_overlap(reduction_.reduced, inclusions_[i], inclusions_[other]));
         }
+    }
+    // An image behind a wall lies inside of the same image of the other shape.
+    for (int k = n_given(); k < size(); ++k) {
+        const int parent = parents_[k % n_given()];
+        parents_[k] = parent < 0 ? -1 : parent + k / n_given() * n_given();
     }
 }
 
@@ -180,6 +206,7 @@ double InclusionSet::signed_distance_to(int k, const Vec2& p) const {
 int InclusionSet::containing(const Vec2& p) const {
     int found = -1;
     visit_images(p, 0, [&](int k, const Vec2& translation) {
+        if (found >= 0 && areas_[found] <= areas_[k]) return;
         if (signed_distance_to(k, p - translation) < 0) found = k;
     });
     return found;

@@ -8,7 +8,9 @@
 
 namespace pcvt::plane {
 
-/// Inclusions on the torus that neither meet each other nor images of each other.
+/// Inclusions on the torus whose outlines neither touch nor cross each other or images of each
+/// other. One shape may lie inside of another one, as a fibre inside of its coating; the innermost
+/// shape at a point counts.
 ///
 /// Example usage:
 ///
@@ -21,9 +23,10 @@ namespace pcvt::plane {
 /// images of the shapes: inclusion k + r * n_given() is the mirror_image() r of inclusion k.
 ///
 /// Laws, tested by number:
-///   (1) No image of a shape meets another image or shape.
+///   (1) No outline of an image meets another outline.
 ///   (2) containing() is the same at p and at every image of p.
 ///   (3) Between walls, a shape lies between them without touching one.
+///   (4) parent() is the smallest of the shapes that contain a shape.
 class InclusionSet {
    public:
     /// @param inclusions  anywhere in the plane; images are implied. Polygons in either
@@ -31,8 +34,8 @@ class InclusionSet {
     /// @throws InvalidInput naming the lines: a size or a tag is not positive, a number not finite,
     ///         a polygon has fewer than three corners, one sharper than 3 degrees, or crosses
     ///         itself; a shape is larger than the
-    ///         domain or meets an image of itself; two shapes meet; a shape touches or crosses a
-    ///         wall.
+    ///         domain or meets an image of itself; the outlines of two shapes touch or cross; a
+    ///         shape touches or crosses a wall.
     /// @param domain  upright if it has walls.
     InclusionSet(const Lattice& domain, std::vector<Inclusion> inclusions,
                  Walls walls = Walls::kNone);
@@ -50,11 +53,14 @@ class InclusionSet {
     /// The sides of inclusion k; none unless it is a polygon.
     const PolygonSides& sides(int k) const { return sides_[k]; }
 
-    /// The inclusion that contains a point, or -1.
+    /// The inclusion an image of which lies around inclusion k, with none between, or -1.
+    int parent(int k) const { return parents_[k]; }
+
+    /// The innermost inclusion that contains a point, or -1.
     /// @param p  length units, anywhere.
     int containing(const Vec2& p) const;
-    /// The least distance of a point from the other shapes and from other images of inclusion
-    /// `own`, if it is below `reach`; else `reach`.
+    /// The least distance of a point from the outlines of other shapes and of other images of
+    /// inclusion `own`, if it is below `reach`; else `reach`.
     /// @param p  in the frame in which `own` was given.
     double distance_to_others(int own, const Vec2& p, double reach) const;
 
@@ -79,7 +85,9 @@ class InclusionSet {
     void visit_images(const Vec2& p, double distance, const Visit& visit) const;
     void require_between_walls(const Inclusion& inclusion) const;
     void add_mirror_images();
-    void require_apart() const;
+    ShapeRelation relation(int i, int j, const Vec2& translation) const;
+    void find_parents();
+    void put_inside(int inner, int outer);
     double signed_distance_to(int k, const Vec2& p) const;
 
     Lattice domain_;
@@ -88,6 +96,8 @@ class InclusionSet {
     Reduction reduction_;
     std::vector<Inclusion> inclusions_;
     std::vector<PolygonSides> sides_;
+    std::vector<double> areas_;
+    std::vector<int> parents_;
     std::vector<Circle> bounds_;
     /// The whole periods that wrap() removed from each bounding circle's centre.
     std::vector<Offset> whole_;

@@ -202,8 +202,10 @@ class Placement {
         // The seeds of images behind walls come last.
         for (const Seed& seed : seeds_) {
             if (seed.inclusion >= set_.n_given()) break;
-            sites.inclusion.push_back(seed.is_inside ? seed.inclusion : -1);
+            sites.inclusion.push_back(seed.is_inside ? seed.inclusion
+                                                     : set_.parent(seed.inclusion));
         }
+        for (int i = 0; i < set_.n_given(); ++i) sites.parents.push_back(set_.parent(i));
         sites.coordinates.resize(2, sites.n_seeds());
         for (int s = 0; s < sites.n_seeds(); ++s) {
             sites.coordinates.col(s) = wrapped_[s].fraction;

@@ -35,8 +35,10 @@ struct InterfaceSites {
     /// 2 x n, reduced basis, multiples of 2^-51 in [0, 1): as Sites stores them. Mirror images are
     /// exact but for the rounding to this grid.
     Points coordinates;
-    /// The inclusion in which each seed lies, or -1.
+    /// The innermost inclusion in which each seed lies, or -1.
     std::vector<int> inclusion;
+    /// InclusionSet::parent() of each inclusion.
+    std::vector<int> parents;
     std::vector<Chord> chords;
     /// Between walls with their mirror images.
     std::vector<EmptyCircle> circles;

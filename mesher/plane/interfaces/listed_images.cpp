@@ -116,6 +116,12 @@ class KeptShapes {
     std::vector<Offset> whole_;
 };
 
+/// The translation that takes one point nearest to another one.
+Offset nearest_offset(const Lattice& reduced, const Vec2& from, const Vec2& to) {
+    const Vec2 u = reduced.to_lattice(to - from);
+    return {static_cast<int>(std::lround(u.x())), static_cast<int>(std::lround(u.y()))};
+}
+
 }  // namespace
 
 bool is_same_shape(const Shape& first, const Shape& second) {
@@ -138,22 +144,27 @@ std::vector<Inclusion> without_listed_images(const Lattice& domain, Walls walls,
     return kept.take();
 }
 
+bool lies_on_image(const Lattice& reduced, const Inclusion& first, const Inclusion& second) {
+    const Circle from = bounding_circle(first.shape);
+    const Vec2 to = bounding_circle(second.shape).centre;
+    const Offset offset = nearest_offset(reduced, from.centre, to);
+    const Vec2 image = from.centre + reduced.translation(offset);
+    return agree(image, to, kSameShape * from.radius) && offset != Offset{} &&
+           first.shape.index() == second.shape.index();
+}
+
 std::string complaint_of_overlap(const Lattice& reduced, const Inclusion& first,
                                  const Inclusion& second) {
     const std::string that = "that of line " + std::to_string(first.line);
-    const Circle from = bounding_circle(first.shape);
-    const Circle to = bounding_circle(second.shape);
-    const Vec2 u = reduced.to_lattice(to.centre - from.centre);
-    const Offset offset{static_cast<int>(std::lround(u.x())), static_cast<int>(std::lround(u.y()))};
-    const Vec2 translation = reduced.translation(offset);
+    const Vec2 translation = reduced.translation(nearest_offset(
+        reduced, bounding_circle(first.shape).centre, bounding_circle(second.shape).centre));
     if (is_same_shape(translated(first.shape, translation), second.shape)) {
         return first.tag == second.tag
                    ? "the shape is an image of " + that + "; remove one of them"
                    : "the shape is an image of " + that +
                          " with another tag; give both the same tag, or remove one of them";
     }
-    const bool are_in_place = agree(from.centre + translation, to.centre, kSameShape * from.radius);
-    if (are_in_place && offset != Offset{} && first.shape.index() == second.shape.index()) {
+    if (lies_on_image(reduced, first, second)) {
         return "the shape lies on an image of " + that +
                " but differs from it in size or form; make them equal, or remove one of them";
     }

@@ -32,6 +32,10 @@ bool is_same_shape(const Shape& first, const Shape& second);
 std::vector<Inclusion> without_listed_images(const Lattice& domain, Walls walls,
                                              const std::vector<Inclusion>& listed);
 
+/// Whether the second shape lies at the place of an image of the first, in which it should be
+/// listed if it lies inside: its centre agrees with that of an image by a period, and its kind.
+bool lies_on_image(const Lattice& reduced, const Inclusion& first, const Inclusion& second);
+
 /// Complains about the second of two shapes that meet, on the torus of a reduced basis; the
 /// complaint says if the shape lies on an image of the first.
 std::string complaint_of_overlap(const Lattice& reduced, const Inclusion& first,

@@ -132,24 +132,37 @@ bool PolygonSides::touch_themselves() const {
     });
 }
 
-bool PolygonSides::meet(const PolygonSides& other, const Vec2& translation) const {
-    if (boxes_.empty() || other.boxes_.empty()) return false;
+ShapeRelation PolygonSides::relation(const PolygonSides& other, const Vec2& translation) const {
+    if (boxes_.empty() || other.boxes_.empty()) return ShapeRelation::kApart;
     const double near = kSidesTouch * (boxes_[0].high - boxes_[0].low).norm() / 2;
     long n_visited = 0;
-    const auto is_near = [&](const PolygonSides& polygon, const Vec2& p) {
+    // The distance of each corner of one polygon from the other, with one sign if they are apart.
+    int n_inside = 0;
+    const auto touches = [&](const PolygonSides& polygon, const Vec2& p) {
         checkpoint_each(++n_visited);
-        return polygon.signed_distance(p) <= near;
+        const double distance = polygon.signed_distance(p);
+        if (distance < 0) ++n_inside;
+        return std::abs(distance) <= near;
     };
     for (const Vec2& p : polygon_) {
-        if (is_near(other, p - translation)) return true;
+        if (touches(other, p - translation)) return ShapeRelation::kMeet;
     }
+    const bool is_first_inside = n_inside == static_cast<int>(size());
+    if (n_inside > 0 && !is_first_inside) return ShapeRelation::kMeet;
+    n_inside = 0;
     for (const Vec2& p : other.polygon_) {
-        if (is_near(*this, p + translation)) return true;
+        if (touches(*this, p + translation)) return ShapeRelation::kMeet;
     }
-    return any_pair(*this, 0, other, 0, translation, [&](std::size_t i, std::size_t j) {
+    const bool is_second_inside = n_inside == static_cast<int>(other.size());
+    if (n_inside > 0 && !is_second_inside) return ShapeRelation::kMeet;
+    const bool cross = any_pair(*this, 0, other, 0, translation, [&](std::size_t i, std::size_t j) {
         return segments_cross(corner(i), corner(i + 1), other.corner(j) + translation,
                               other.corner(j + 1) + translation);
     });
+    if (cross) return ShapeRelation::kMeet;
+    return is_first_inside    ? ShapeRelation::kFirstInside
+           : is_second_inside ? ShapeRelation::kSecondInside
+                              : ShapeRelation::kApart;
 }
 
 }  // namespace pcvt::plane

@@ -6,6 +6,9 @@
 
 namespace pcvt::plane {
 
+/// How the curves of two shapes lie: apart, or one inside of the other; else they touch or cross.
+enum class ShapeRelation { kApart, kFirstInside, kSecondInside, kMeet };
+
 double distance_to_segment(const Vec2& p, const Vec2& from, const Vec2& to);
 
 /// The sides of a polygon in a tree of bounding boxes, so that queries take time of order log n.
@@ -34,9 +37,9 @@ class PolygonSides {
     /// 1e-9 of the length of the first. Takes time of order n log n for curves as they are
     /// measured.
     bool touch_themselves() const;
-    /// Whether the other polygon, translated, crosses this one, contains it, lies inside of it, or
-    /// lies nearer to it than 1e-9 of its size.
-    bool meet(const PolygonSides& other, const Vec2& translation) const;
+    /// How this polygon and the other one, translated, lie. Curves touch if they are nearer to each
+    /// other than 1e-9 of the size of this one.
+    ShapeRelation relation(const PolygonSides& other, const Vec2& translation) const;
     /// The least of `most` and value(k) over all sides k.
     /// @param value  at least the distance of p from side k.
     template <class Value>

@@ -14,7 +14,8 @@ namespace pcvt::plane {
 ///   (1) Each chord is an edge between the cells of its two seeds, and its ends are the nodes, to
 ///       kSameVertex h.
 ///   (2) All other edges have the same inclusion, or the matrix, on both sides.
-///   (3) The cells of an inclusion have the area of its polygon of chords, to 1e-12 of the domain.
+///   (3) The cells of an inclusion have the area of its polygon of chords, less those of the
+///       inclusions inside of it, to 1e-12 of the domain.
 ///
 /// Example usage:
 ///

@@ -45,16 +45,36 @@ std::vector<int> counted_by_sites(std::vector<int> site_orbits) {
 }
 
 /// Sets the words and the areas of the tags of the matrix and of the inclusions.
-void set_tags(const std::vector<std::string>& names, const std::vector<Inclusion>& shapes,
-              Tessellation& cells) {
+void set_tags(const std::vector<std::string>& names, const InclusionSet& set, Tessellation& cells) {
     cells.tag_names = names;
     cells.tag_areas.assign(cells.tag_names.size(), 0);
     cells.tag_areas[0] = cells.lattice().area();
-    for (const Inclusion& inclusion : shapes) {
-        const double area = shape_area(inclusion.shape);
-        cells.tag_areas[inclusion.tag] += area;
-        cells.tag_areas[0] -= area;
+    for (int k = 0; k < set.n_given(); ++k) {
+        const double area = shape_area(set[k].shape);
+        const int parent = set.parent(k);
+        cells.tag_areas[set[k].tag] += area;
+        cells.tag_areas[parent < 0 ? 0 : set[parent].tag] -= area;
     }
+}
+
+/// Refuses shapes in holes: the cells there would belong to no connected part of the tile.
+void require_empty_holes(const TaggedInclusions& inclusions, const InclusionSet& set) {
+    for (int k = 0; k < set.n_given(); ++k) {
+        if (set.parent(k) < 0) continue;
+        const Inclusion& around = set[set.parent(k)];
+        const std::string& tag = inclusions.tag_names[around.tag];
+        const auto& holes = inclusions.holes;
+        if (std::find(holes.begin(), holes.end(), tag) == holes.end()) continue;
+        throw BadInclusion(set[k].line, "the shape lies in the hole " + tag + " of line " +
+                                            std::to_string(around.line) +
+                                            "; leave the shape or the hole out");
+    }
+}
+
+int n_nested(const InclusionSet& set) {
+    int n = 0;
+    for (int k = 0; k < set.n_given(); ++k) n += set.parent(k) < 0 ? 0 : 1;
+    return n;
 }
 
 /// The sites of cells with the tags of holes.
@@ -119,6 +139,7 @@ Tessellation tessellate(const Lattice& lattice, const WallChoice& walls,
     const std::vector<Inclusion> shapes =
         without_listed_images(lattice, walls.walls, inclusions.shapes);
     InclusionSet set(lattice, shapes, walls.walls);
+    require_empty_holes(inclusions, set);
     if (inclusions.box_corner) set.set_box(*inclusions.box_corner);
     InterfaceCvt result = compute_interface_cvt(set, n, seed, options, walls.cells);
     PeriodicMesh mesh = cell_mesh(result.cvt.delaunay);
@@ -130,11 +151,12 @@ Tessellation tessellate(const Lattice& lattice, const WallChoice& walls,
     if (result.walled) mesh = part_between_walls(std::move(mesh), *result.walled);
     cells.cache->cells = std::move(mesh);
     cells.site_tags = std::move(result.tag);
-    set_tags(inclusions.tag_names, shapes, cells);
+    set_tags(inclusions.tag_names, set, cells);
     cells.holes = hole_sites(inclusions.holes, cells);
     cells.interfaces =
         InterfaceFigures{.shapes = shapes,
                          .n_images = static_cast<int>(inclusions.shapes.size() - shapes.size()),
+                         .n_nested = n_nested(set),
                          .n_chords = static_cast<int>(result.interfaces.chords.size()),
                          .n_fixed = result.interfaces.n_seeds(),
                          .n_held = static_cast<int>(result.held.size())};

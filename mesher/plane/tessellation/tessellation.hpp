@@ -26,6 +26,8 @@ struct InterfaceFigures {
     std::vector<Inclusion> shapes = {};
     /// Shapes left out because they were listed as images of the others.
     int n_images = 0;
+    /// Shapes inside of others.
+    int n_nested = 0;
     int n_chords = 0;
     /// Sites in pairs beside the chords, which do not move.
     int n_fixed = 0;

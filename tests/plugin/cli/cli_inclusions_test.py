@@ -79,6 +79,30 @@ class Inclusions(CliTest):
         self.succeed("check", "f1.obj", "f2.obj")
         self.assertNotEqual(self.path("f1.obj").read_text(), self.path("f2.obj").read_text())
 
+    def test_a_coating_is_a_phase_of_its_own(self):
+        self.write("coated.txt", "circle core 0.05 0.9 0.2\ncircle coating 0.05 0.9 0.25\npolygon bit 0 .85 .1 .85 .05 .95\n")
+        for outline in ("whole", "box"):
+            summary = self.succeed("mesh", "--sites", 1500, "--inclusions", "coated.txt", "--tolerance", "1e-2", "--mesh", "grains",
+                                   "--outline", outline, "--report", "r.json", "-o", "c.vtu", "-o", "c.obj", "--force")
+            self.assertIn("3 shapes, 2 inside of others", summary)
+            report = json.loads(self.path("r.json").read_text())
+            self.assertEqual(report["inclusions"]["nested"], 2)
+            reached = {phase["name"]: phase["reached"] for phase in report["phases"]}
+            self.assertAlmostEqual(reached["coating"], 0.0225 * math.pi, delta=1e-12)
+            self.assertAlmostEqual(reached["core"], 0.04 * math.pi - 0.005, delta=1e-12)
+            self.assertIn("3 inclusions of coated.txt", self.succeed("check", "--inclusions", "coated.txt", "c.vtu", "c.obj"))
+        # The outline of the coating is that of another file.
+        self.write("other.txt", "circle core 0.05 0.9 0.2\ncircle coating 0.05 0.9 0.26\npolygon bit 0 .85 .1 .85 .05 .95\n")
+        self.assertNotEqual(self.run_pcvt("check", "--inclusions", "other.txt", "c.vtu").returncode, 0)
+
+    def test_holes_hold_no_shapes(self):
+        shapes = "circle core 0.5 0.5 0.2\ncircle coating 0.5 0.5 0.25\n"
+        self.refuse_shapes(2, r"shapes\.txt:1: the shape lies in the hole coating of line 2; leave the shape or the hole out", shapes,
+                           "--hole", "coating")
+        self.write("coated.txt", shapes)
+        self.succeed("mesh", "--sites", 900, "--inclusions", "coated.txt", "--hole", "core", "--tolerance", "1e-2", "-o", "h.vtu")
+        self.assertIn("2 inclusions of coated.txt, 1 of them holes", self.succeed("check", "--inclusions", "coated.txt", "h.vtu"))
+
     def test_bad_fibres_are_refused(self):
         for text, words in (("0.5", r"write FRACTION,N"), ("0.5,x", "not a"), ("1.5,3", "fraction must be between"),
                             ("0.5,0", "number of circles"), ("0.8,30,0.1", "no place was found"),

@@ -38,13 +38,19 @@ class Inclusions(unittest.TestCase):
         with self.assertRaisesRegex(pcvt.ArgumentError, "inclusions:4: the shape is an image of that of line 1 with another tag"):
             mesh(inclusions=[*SHAPES, ("circle", "steel", 1.95, 0.9, 0.15)])
 
+    def test_a_coating_lies_around_its_fibre(self):
+        result = mesh(1500, inclusions="circle core 0.5 0.5 0.2\ncircle coating 0.5 0.5 0.25")
+        self.assertEqual(result.phase_names, ("matrix", "core", "coating"))
+        areas = [result.cells["area"][result.phases == k].sum() for k in (1, 2)]
+        np.testing.assert_allclose(areas, [0.04 * np.pi, 0.0225 * np.pi], rtol=0, atol=1e-12)
+
     def test_fibres_have_their_area(self):
         result = mesh(1500, fibres=(0.4, 12), seed=3)
         self.assertEqual(result.phase_names, ("matrix", "fibre"))
         self.assertAlmostEqual(result.cells["area"][result.phases == 1].sum(), 0.4, delta=1e-12)
 
     def test_refusals_name_the_line(self):
-        for shapes, words in ((TEXT + "circle b 0.95 0.9 0.1", "inclusions:4: the shape overlaps that of line 1"),
+        for shapes, words in ((TEXT + "circle b 0.95 0.8 0.1", "inclusions:4: the shape overlaps that of line 1"),
                               ("circle b 0 0", "inclusions:1: a circle does not take 2 numbers"),
                               ("circle b 0 0 0.7", "inclusions:1: the shape is larger than the domain")):
             with self.assertRaisesRegex(pcvt.ArgumentError, words):

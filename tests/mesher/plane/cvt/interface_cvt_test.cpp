@@ -96,6 +96,37 @@ TEST(InterfaceCvt, MakesEveryChordAnEdgeSlow) {
     }
 }
 
+TEST(InterfaceCvt, ShapesInsideOfOthersHaveTheirChordsAndTheirTags) {
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+        const Lattice lattice({1, 0}, {0.3, 0.9});
+        const double x = 0.4 * static_cast<double>(seed);
+        const InclusionSet set(
+            lattice, {{Circle{{x, 0.1}, 0.15}, 1, 1},
+                      {Circle{{x, 0.1}, 0.21}, 2, 2},
+                      {Ellipse{{x + 0.5, 0.5}, 0.2, 0.15, 40}, 2, 3},
+                      {Polygon{{x + 0.45, 0.45}, {x + 0.55, 0.45}, {x + 0.5, 0.55}}, 3, 4}});
+        const InterfaceCvt result = compute(set, 700, seed, {});
+        expect_laws(set, result);
+        // Each site has the tag of the innermost shape.
+        const Sites& sites = result.cvt.delaunay.sites();
+        for (SiteId s = 0; s < sites.n_sites(); ++s) {
+            const Vec2 p = sites.reduction().reduced.to_position(sites.coordinates().col(s));
+            const int k = set.containing(p);
+            EXPECT_EQ(result.tag[s], k < 0 ? 0 : set[k].tag) << s;
+        }
+        std::vector<double> area(4, 0);
+        const PeriodicMesh cells = cell_mesh(result.cvt.delaunay);
+        for (int f = 0; f < cells.n_faces(); ++f) {
+            area[result.tag[f]] += polygon_area(face_polygon(cells, f));
+        }
+        const double coating = shape_area(set[1].shape) - shape_area(set[0].shape);
+        const double triangle = shape_area(set[3].shape);
+        EXPECT_NEAR(area[1], shape_area(set[0].shape), 1e-12);
+        EXPECT_NEAR(area[2], coating + shape_area(set[2].shape) - triangle, 1e-12);
+        EXPECT_NEAR(area[3], triangle, 1e-12);
+    }
+}
+
 struct CellFigures {
     double least_area = std::numeric_limits<double>::infinity();
     double largest_area = 0;

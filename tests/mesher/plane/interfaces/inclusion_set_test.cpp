@@ -54,6 +54,69 @@ TEST(InclusionSet, FindsTheInclusionOfAnyImageOfAPoint) {
     }
 }
 
+// Laws (2) and (4), against all images.
+TEST(InclusionSet, TheInnermostShapeContainsAPoint) {
+    std::mt19937_64 random(4);
+    int n_nested = 0;
+    for (const Lattice& lattice : test_lattices()) {
+        auto list = testing::random_inclusions(lattice, {6, 4, 0.5}, random);
+        // Two shapes in each round one, the first of them as an image.
+        const std::size_t n = list.size();
+        for (std::size_t k = 0; k < n; ++k) {
+            if (std::holds_alternative<Polygon>(list[k].shape)) continue;
+            const auto* const circle = std::get_if<Circle>(&list[k].shape);
+            const EllipseAxes axes =
+                circle ? ellipse_axes(*circle) : ellipse_axes(std::get<Ellipse>(list[k].shape));
+            const Vec2 centre = axes.centre + 0.1 * axes.b * axes.along;
+            list.push_back({Circle{centre + lattice.translation({3, -2}), axes.b / 2}, 1, 98});
+            list.push_back({Ellipse{centre, axes.b / 4, axes.b / 8, 20}, 1, 99});
+        }
+        const InclusionSet set(lattice, list);
+        for (int k = 0; k < 300; ++k) {
+            const Vec2 p = random_point(lattice, random);
+            int expected = -1;
+            int around = -1;
+            for_each_image([&](Offset o) {
+                for (int i = 0; i < set.size(); ++i) {
+                    if (!(signed_distance(list[i].shape, p - lattice.translation(o)) < 0)) continue;
+                    const bool is_smaller = expected < 0 || shape_area(list[i].shape) <
+                                                                shape_area(list[expected].shape);
+                    around = is_smaller ? expected : around < 0 ? i : around;
+                    if (is_smaller) expected = i;
+                }
+            });
+            EXPECT_EQ(set.containing(p), expected);
+            // Of two shapes around a point, the outer one is the parent of the inner one.
+            EXPECT_EQ(expected >= 0 && set.parent(expected) >= 0, around >= 0);
+            n_nested += around >= 0;
+        }
+    }
+    EXPECT_GT(n_nested, 10);
+}
+
+TEST(InclusionSet, ParentsAreTheSmallestShapesAround) {
+    const std::vector<Inclusion> list{
+        {Circle{{0.5, 0.5}, 0.1}, 1, 1},
+        {Polygon{{0.2, 0.2}, {0.8, 0.2}, {0.8, 0.8}, {0.2, 0.8}}, 2, 2},
+        {Ellipse{{0.5, 0.5}, 0.2, 0.15, 40}, 1, 3},
+        {Circle{{0.05, 0.05}, 0.1}, 1, 4},
+        {Circle{{1.08, 1.05}, 0.02}, 3, 5}};
+    const InclusionSet set(kSquare, list);
+    for (const auto& [k, parent] : {std::pair(0, 2), {1, -1}, {2, 1}, {3, -1}, {4, 3}}) {
+        EXPECT_EQ(set.parent(k), parent) << k;
+    }
+    EXPECT_EQ(set.containing({0.5, 0.5}), 0);
+    EXPECT_EQ(set.containing({0.5, 0.64}), 2);
+    EXPECT_EQ(set.containing({0.25, 0.25}), 1);
+    EXPECT_EQ(set.containing({0.08, 0.05}), 4);
+    // Between walls, images lie in images.
+    const InclusionSet walled(kSquare, {list[0], list[1], list[2]}, Walls::kXY);
+    for (int k = 0; k < walled.size(); ++k) {
+        const int parent = set.parent(k % 3);
+        EXPECT_EQ(walled.parent(k), parent < 0 ? -1 : parent + k / 3 * 3) << k;
+    }
+}
+
 TEST(InclusionSet, MeasuresGapsToOtherShapesAndImages) {
     std::mt19937_64 random(2);
     for (const Lattice& lattice : test_lattices()) {
@@ -92,10 +155,11 @@ TEST(InclusionSet, RefusesExactlyShapesThatMeetAnImage) {
         bool meets = false;
         for_each_image([&](Offset o) {
             const Vec2 t = lattice.translation(o);
-            meets = meets || shapes_meet(list[0].shape, list[1].shape, t);
+            meets =
+                meets || shape_relation(list[0].shape, list[1].shape, t) == ShapeRelation::kMeet;
             if (o == Offset{}) return;
-            meets = meets || shapes_meet(list[0].shape, list[0].shape, t) ||
-                    shapes_meet(list[1].shape, list[1].shape, t);
+            meets = meets || testing::shapes_meet(list[0].shape, list[0].shape, t) ||
+                    testing::shapes_meet(list[1].shape, list[1].shape, t);
         });
         bool refused = false;
         try {
@@ -139,8 +203,10 @@ TEST(InclusionSet, NamesTheLinesOfWhatItRefuses) {
         {{Circle{{1e12, 0}, 0.1}, 1, 7}, "line 7: the shape lies more than 2^30 periods away"},
         {{Circle{{2.5, -0.3}, 0.1}, 1, 7},
          "line 7: the shape overlaps that of line 3; move one of them"},
-        {{Circle{{0.5, 0.5}, 0.02}, 1, 7},
+        {{Circle{{0.58, 0.5}, 0.02}, 1, 7},
          "line 7: the shape overlaps that of line 3; move one of them"},
+        {{Circle{{1.5, 0.5}, 0.02}, 1, 7},
+         "line 7: the shape lies on an image of that of line 3 but differs from it in size"},
     };
     for (const auto& [bad, message] : cases) {
         try {

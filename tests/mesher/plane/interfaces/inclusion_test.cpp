@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <limits>
+#include <map>
+
 #include "tests/support/random_inclusions.hpp"
 
 namespace pcvt::plane {
@@ -75,39 +79,63 @@ TEST(Inclusion, AreasAreThoseOfDensePolygons) {
 }
 
 // The twin compares dense points of the curves.
-TEST(Inclusion, ShapesMeetWherePointsOfOneLieInTheOther) {
-    std::mt19937_64 random(3);
-    int n_meeting = 0;
-    for (int k = 0; k < 1500; ++k) {
-        const Shape first = testing::random_shape({0, 0}, uniform(random, 0.3, 1), random);
-        const Shape second = testing::random_shape({1, 1}, uniform(random, 0.3, 1), random);
-        const Vec2 translation(uniform(random, -2, 0.5), uniform(random, -2, 0.5));
-        double least = std::numeric_limits<double>::infinity();
-        for (const Vec2& p : testing::points_on(second, 200)) {
-            least = std::min(least, signed_distance(first, p + translation));
-        }
-        for (const Vec2& p : testing::points_on(first, 200)) {
-            least = std::min(least, signed_distance(second, p - translation));
-        }
-        const bool meet = shapes_meet(first, second, translation);
-        EXPECT_EQ(meet, shapes_meet(second, first, -translation));
-        if (std::abs(least) > 1e-3) {
-            EXPECT_EQ(meet, least < 0) << k << ": " << least;
-        }
-        n_meeting += meet;
+/// The least and the largest signed distance of points of a curve from another shape.
+std::array<double, 2> distances(const Shape& shape, const Polygon& points, const Vec2& moved) {
+    std::array<double, 2> found{std::numeric_limits<double>::infinity(), -1e300};
+    for (const Vec2& p : points) {
+        const double distance = signed_distance(shape, p + moved);
+        found = {std::min(found[0], distance), std::max(found[1], distance)};
     }
-    EXPECT_GT(n_meeting, 300);
-    EXPECT_LT(n_meeting, 1200);
+    return found;
+}
+
+TEST(Inclusion, RelationsAreThoseOfPointsOnTheCurves) {
+    std::mt19937_64 random(3);
+    std::map<ShapeRelation, int> counts;
+    for (int k = 0; k < 1500; ++k) {
+        const double size = k % 2 == 0 ? 1 : 0.3;
+        const Shape first = testing::random_shape({0, 0}, size * uniform(random, 0.3, 1), random);
+        const Shape second = testing::random_shape({1, 1}, uniform(random, 0.3, 1), random);
+        const Vec2 moved(uniform(random, -2, 0.5), uniform(random, -2, 0.5));
+        const auto [low, high] = distances(first, testing::points_on(second, 200), moved);
+        const auto [least, most] = distances(second, testing::points_on(first, 200), -moved);
+        const ShapeRelation relation = shape_relation(first, second, moved);
+        ++counts[relation];
+        // Exchanged shapes are in the opposite relation.
+        const ShapeRelation other = shape_relation(second, first, -moved);
+        EXPECT_EQ(relation == ShapeRelation::kFirstInside, other == ShapeRelation::kSecondInside);
+        EXPECT_EQ(relation == ShapeRelation::kApart, other == ShapeRelation::kApart);
+        const double nearest =
+            std::min({std::abs(low), std::abs(high), std::abs(least), std::abs(most)});
+        if (nearest < 1e-3) continue;
+        const ShapeRelation expected = high < 0                   ? ShapeRelation::kSecondInside
+                                       : most < 0                 ? ShapeRelation::kFirstInside
+                                       : std::min(low, least) < 0 ? ShapeRelation::kMeet
+                                                                  : ShapeRelation::kApart;
+        EXPECT_EQ(relation, expected) << k;
+    }
+    for (const ShapeRelation relation :
+         {ShapeRelation::kApart, ShapeRelation::kMeet, ShapeRelation::kFirstInside}) {
+        EXPECT_GT(counts[relation], 30);
+    }
 }
 
 TEST(Inclusion, TouchingShapesMeet) {
     const Circle circle{{0, 0}, 1};
-    EXPECT_TRUE(shapes_meet(circle, Circle{{3, 0}, 2}, {0, 0}));
-    EXPECT_FALSE(shapes_meet(circle, Circle{{3, 0}, 2}, {1e-6, 0}));
-    EXPECT_TRUE(shapes_meet(circle, Polygon{{1, -1}, {2, 0}, {1, 1}}, {0, 0}));
-    EXPECT_TRUE(shapes_meet(circle, Circle{{0.1, 0}, 0.2}, {0, 0}));
-    EXPECT_TRUE(
-        shapes_meet(Polygon{{0, 0}, {1, 0}, {0, 1}}, Polygon{{1, 0}, {2, 0}, {2, 1}}, {0, 0}));
+    const auto relation = [&](const Shape& second, const Vec2& moved = {0, 0}) {
+        return shape_relation(circle, second, moved);
+    };
+    EXPECT_EQ(relation(Circle{{3, 0}, 2}), ShapeRelation::kMeet);
+    EXPECT_EQ(relation(Circle{{3, 0}, 2}, {1e-6, 0}), ShapeRelation::kApart);
+    EXPECT_EQ(relation(Polygon{{1, -1}, {2, 0}, {1, 1}}), ShapeRelation::kMeet);
+    EXPECT_EQ(relation(Circle{{0.1, 0}, 0.2}), ShapeRelation::kSecondInside);
+    EXPECT_EQ(relation(Circle{{0.8, 0}, 0.2}), ShapeRelation::kMeet);
+    EXPECT_EQ(relation(Circle{{0.8, 0}, 0.2}, {-1e-6, 0}), ShapeRelation::kSecondInside);
+    EXPECT_EQ(relation(circle), ShapeRelation::kMeet);
+    EXPECT_EQ(relation(Circle{{0, 0}, 1.001}), ShapeRelation::kFirstInside);
+    EXPECT_EQ(
+        shape_relation(Polygon{{0, 0}, {1, 0}, {0, 1}}, Polygon{{1, 0}, {2, 0}, {2, 1}}, {0, 0}),
+        ShapeRelation::kMeet);
 }
 
 }  // namespace

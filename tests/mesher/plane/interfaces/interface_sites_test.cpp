@@ -142,7 +142,7 @@ TEST(InterfaceSites, NarrowGapsStayOpen) {
                        0.03};
         const InterfaceSites pairs = place(one);
         EXPECT_LT(pairs.n_seeds(), 60 / std::sqrt(gap));
-        EXPECT_FALSE(shapes_meet(pairs.polygons[0], pairs.polygons[1], {0, 0}));
+        EXPECT_FALSE(testing::shapes_meet(pairs.polygons[0], pairs.polygons[1], {0, 0}));
     }
 }
 

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "mesher/plane/interfaces/inclusion.hpp"
+#include "tests/support/random_inclusions.hpp"
 
 namespace pcvt::plane {
 namespace {
@@ -34,7 +35,7 @@ bool touch_by_brute_force(const Polygon& polygon) {
             if (i == 0 && j + 1 == n) continue;
             const Polygon first{polygon[i], polygon[i + 1]};
             const Polygon second{polygon[j], polygon[(j + 1) % n]};
-            if (shapes_meet(first, second, Vec2(0, 0))) return true;
+            if (testing::shapes_meet(first, second, Vec2(0, 0))) return true;
         }
     }
     return false;
@@ -96,14 +97,19 @@ TEST(PolygonSides, MeetOtherPolygons) {
     std::mt19937_64 random(4);
     const PolygonSides star(rough_star(40, {0, 0}, random));
     const PolygonSides small({{-0.1, -0.1}, {0.1, -0.1}, {0.1, 0.1}, {-0.1, 0.1}});
-    EXPECT_TRUE(star.meet(small, {0, 0}));
-    EXPECT_TRUE(small.meet(star, {0, 0}));
-    EXPECT_FALSE(star.meet(small, {1.2, 0}));
+    EXPECT_EQ(star.relation(small, {0, 0}), ShapeRelation::kSecondInside);
+    EXPECT_EQ(small.relation(star, {0, 0}), ShapeRelation::kFirstInside);
+    EXPECT_EQ(star.relation(small, {1.2, 0}), ShapeRelation::kApart);
+    EXPECT_EQ(small.relation(small, {0, 0}), ShapeRelation::kMeet);
     // A cross, of which no corner lies in the other polygon.
     const PolygonSides wide({{-1, -0.1}, {1, -0.1}, {1, 0.1}, {-1, 0.1}});
     const PolygonSides tall({{-0.1, -1}, {0.1, -1}, {0.1, 1}, {-0.1, 1}});
-    EXPECT_TRUE(wide.meet(tall, {0, 0}));
-    EXPECT_FALSE(wide.meet(tall, {1.2, 0}));
+    EXPECT_EQ(wide.relation(tall, {0, 0}), ShapeRelation::kMeet);
+    EXPECT_EQ(wide.relation(tall, {1.2, 0}), ShapeRelation::kApart);
+    // All corners of one lie in a bent one, whose corner lies between them.
+    const PolygonSides bent({{-1, -1}, {0, 0.5}, {1, -1}, {1, 1}, {-1, 1}});
+    const PolygonSides bar({{-0.9, -0.5}, {0.9, -0.5}, {0.9, 0.8}, {-0.9, 0.8}});
+    EXPECT_EQ(bent.relation(bar, {0, 0}), ShapeRelation::kMeet);
 }
 
 TEST(PolygonSides, OfAMeasuredOutlineTakeNoQuadraticTime) {
@@ -115,7 +121,7 @@ TEST(PolygonSides, OfAMeasuredOutlineTakeNoQuadraticTime) {
     }
     const PolygonSides sides(polygon);
     EXPECT_FALSE(sides.touch_themselves());
-    EXPECT_TRUE(sides.meet(PolygonSides(polygon), {0.1, 0}));
+    EXPECT_EQ(sides.relation(PolygonSides(polygon), {0.1, 0}), ShapeRelation::kMeet);
 }
 
 }  // namespace

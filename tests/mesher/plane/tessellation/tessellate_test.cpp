@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <numbers>
 #include <numeric>
 
 #include "mesher/cells/target_areas.hpp"
@@ -74,6 +75,35 @@ TEST(Tessellate, TagsBecomePhasesOutsideOfHoles) {
     EXPECT_EQ(materials.site_phase.size(), wrapped_sites(cells, Vec2::Zero()).cols());
     EXPECT_THAT(materials.site_phase, Each(Lt(2)));
     EXPECT_EQ(cells.interfaces.value().shapes.size(), 3);
+}
+
+TEST(Tessellate, TagsOfNestedShapesHaveTheAreasOfTheRings) {
+    const TaggedInclusions coated{
+        .shapes = {{Circle{{0.5, 0.5}, 0.2}, 1, 1}, {Circle{{0.5, 0.5}, 0.25}, 2, 2}},
+        .tag_names = {"matrix", "core", "coating"},
+        .holes = {}};
+    const Tessellation cells = tessellate(kSquare, {}, coated, 600, 1, three_steps());
+    EXPECT_EQ(cells.interfaces.value().n_nested, 1);
+    EXPECT_NEAR(total(cells.tag_areas), 1, 1e-12);
+    EXPECT_NEAR(cells.tag_areas[2], 0.0225 * std::numbers::pi, 1e-12);
+    for (const PhaseFigures& tag : tag_figures(cells)) {
+        EXPECT_NEAR(tag.reached, tag.wanted, 1e-12) << tag.name;
+    }
+    // A hole has no shapes inside; one inside of a shape is as any other.
+    const auto with_hole = [&](const char* hole) {
+        TaggedInclusions holed = coated;
+        holed.holes = {hole};
+        return tessellate(kSquare, {}, holed, 600, 1, three_steps());
+    };
+    EXPECT_EQ(tag_materials(with_hole("core")).phase_names.size(), 2U);
+    try {
+        with_hole("coating");
+        FAIL();
+    } catch (const BadInclusion& fault) {
+        EXPECT_STREQ(fault.what(),
+                     "line 1: the shape lies in the hole coating of line 2; leave the shape or the "
+                     "hole out");
+    }
 }
 
 TEST(Tessellate, TagsReachTheAreasOfTheirShapes) {
