@@ -114,7 +114,7 @@ enum { PCVT_CPE = 0, PCVT_CPS = 1, PCVT_C3D6 = 2, PCVT_C3D15 = 3 };
 /** Contents of .inp files besides the mesh: nothing, or materials and steps that CalculiX runs. */
 enum { PCVT_JOB_NONE = 0, PCVT_JOB_ELASTIC = 1 };
 
-/** Contents of .obj, .ply and .glb in three dimensions: every cell, or the boundary of the tile. */
+/** Contents of .obj, .ply, .glb and .stl in three dimensions: every cell, or the boundary of the tile. */
 enum { PCVT_SURFACE_CELLS = 0, PCVT_SURFACE_BOUNDARY = 1 };
 
 /** The quantity that the colours of a file show, CELLS: neighbours differ. */
@@ -682,9 +682,9 @@ PCVT_API pcvt_status pcvt_get_tile(const pcvt_result* result, int32_t kind, int3
 PCVT_API pcvt_status pcvt_get_cells(const pcvt_result* result, pcvt_cells* view, size_t view_size);
 
 /** Writes a tile, or the sites for the extension .txt, a table of the cells for .csv. In three
- * dimensions it writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), the boundary
- * of the tile (.om, and the three before for PCVT_SURFACE_BOUNDARY), the Delaunay tetrahedra (.msh,
- * and .vtu for PCVT_DELAUNAY) or those inside of the cells (.msh and .vtu for PCVT_GRAINS),
+ * dimensions it writes polyhedra (.vtu, .foam), surfaces (.obj, .ply, .glb, .stl), the boundary of
+ * the tile (.om, and these four for PCVT_SURFACE_BOUNDARY), tetrahedra (.msh, .inp, .vtu of
+ * PCVT_DELAUNAY; these and .foam of PCVT_GRAINS, and the surfaces of grains as .stl),
  * pictures (.svg, .png) or the sites (.txt). Either all files appear, complete and proved to be a
  * periodic tile, or none; only the report appears where the single precision of the file does not
  * hold the tile (PCVT_ERROR_ARGUMENT). Missing folders are made. Calls and runs that write to one

@@ -52,17 +52,15 @@ def numbers_of(words, n, path, remedy):
 
 
 def periods_of(text, path, remedy):
-    """Returns the period vectors along which the tile repeats, as the comments of pcvt state them."""
+    """Returns the period vectors along which the tile repeats, two or three, as the comments of pcvt state them."""
     found = re.search(r"pcvt lattice (.*)", text)
     if found is None:
         raise BadFile(path, "it has no comment 'pcvt lattice' with the periods", remedy)
-    words = found[1].split()
-    # The periods of a layer along z are those of its base, and its height.
-    words = [*words[:2], *words[3:5]] if len(words) == 9 else words
-    a, b, c, d = numbers_of(words, 4, path, remedy)[:4]
+    numbers = numbers_of(found[1].split(), 4, path, remedy)
+    n = 3 if len(numbers) == 9 else 2
     walls = re.search(r"pcvt walls (.*)", text)
-    across = numbers_of(walls[1].split(), 2, path, remedy) if walls else (0, 0)
-    return [period for period, has_walls in zip(((a, b), (c, d)), across) if not has_walls]
+    across = (numbers_of(walls[1].split(), 2, path, remedy)[:2] if walls else [0, 0]) + [0]
+    return [tuple(numbers[n * k:n * k + n]) for k in range(n) if not across[k]]
 
 
 def colour(colours, t):
@@ -135,12 +133,12 @@ class Picture:
         return "\n".join([*lines, *bar, "</g>", "</svg>", ""])
 
 
-def run(draw, usage, n_arguments):
-    """Writes what draw(arguments...) returns to the last argument of the command.
+def run(draw, usage, n_arguments, n_optional=0):
+    """Writes what draw(arguments...) returns to the last argument of the command, which may have further ones before it.
 
     Exits with 2 and one line if a file cannot be drawn, with 3 if the picture cannot be written.
     """
-    if len(sys.argv) != n_arguments + 1:
+    if not n_arguments <= len(sys.argv) - 1 <= n_arguments + n_optional:
         print(usage, file=sys.stderr)
         sys.exit(2)
     *arguments, out = sys.argv[1:]

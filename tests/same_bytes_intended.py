@@ -8,7 +8,7 @@ QUOTED = r'("(?:[^"\\]|\\.)*")'
 TEXT = re.compile(rf"text (\S+) {QUOTED} => {QUOTED}")
 KEY = re.compile(r"key (\S+) ([23])")
 JOB = re.compile(r"job (\S+) (\S+) (.*\d.*)")
-MESHES = {".obj", ".ply", ".glb", ".gltf", ".om", ".msh", ".inp", ".vtu", ".foam", ".nc", ".vti"}
+MESHES = {".obj", ".ply", ".glb", ".gltf", ".om", ".stl", ".msh", ".inp", ".vtu", ".foam", ".nc", ".vti"}
 
 
 class BadLine(Exception):

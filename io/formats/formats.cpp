@@ -37,7 +37,7 @@
 namespace pcvt {
 namespace {
 
-constexpr std::array<Format, 17> kFormats{{
+constexpr std::array<Format, 18> kFormats{{
     {.extension = ".obj",
      .description = "Wavefront OBJ, with .mtl and .seam.json beside it",
      .write = encode_obj,
@@ -105,6 +105,12 @@ constexpr std::array<Format, 17> kFormats{{
                      .memory = 7000,
                      .encode = space_rows::encode_boundary,
                      .kind = space_rows::kind_where<SpaceFileKind::kBoundary, holds_om_boundary>}},
+    {.extension = ".stl",
+     .description = "binary STL, closed surfaces of cells or of the tile in space",
+     .note = "STL states no unit and no cells; lengths are those of --period, rounded to 32 bits",
+     .is_single_precision = true,
+     .memory = {},
+     .space = space_rows::kStl},
     {.extension = ".msh",
      .description = "Gmsh MSH 4.1 with $Periodic, triangles or tetrahedra",
      .write = plane_rows::write_msh,
@@ -122,8 +128,8 @@ constexpr std::array<Format, 17> kFormats{{
              .takes = {.phases = true},
              .encode_tetrahedra = space_rows::encode_entities,
              .kind = space_rows::kind_where<SpaceFileKind::kTetrahedra, holds_msh_tetrahedra>,
-             .decode_tetrahedra = decode_msh_tetrahedra,
-             .compare_tetrahedra = compare_msh_tetrahedra,
+             .decode_tetrahedra = space_rows::decode_one<decode_msh_tetrahedra>,
+             .compare_tetrahedra = space_rows::compare_one<compare_msh_tetrahedra>,
              .states_materials = true}},
     {.extension = ".inp",
      .description = "Abaqus and CalculiX with *EQUATION, triangles, wedges or tetrahedra",
@@ -158,8 +164,8 @@ constexpr std::array<Format, 17> kFormats{{
                           .encode = space_rows::encode_volumes<space_rows::encode_grid>,
                           .encode_tetrahedra = space_rows::encode_tetrahedra_grid,
                           .kind = space_rows::vtu_kind,
-                          .decode_tetrahedra = decode_vtu_tetrahedra,
-                          .compare_tetrahedra = compare_vtu_tetrahedra,
+                          .decode_tetrahedra = space_rows::decode_one<decode_vtu_tetrahedra>,
+                          .compare_tetrahedra = space_rows::compare_one<compare_vtu_tetrahedra>,
                           .states_materials = true,
                           .states_weights = true,
                           .states_metric = true,
@@ -204,14 +210,7 @@ constexpr std::array<Format, 17> kFormats{{
      .takes = {.thickness = true, .phases = true},
      .states_materials = true,
      .memory = {1900, 1080, 815},
-     .space = SpaceFormat{.memory = 6900,
-                          .takes = {.phases = true, .orientations = true},
-                          .paths = foam_paths<FoamCells::kPolyhedra>,
-                          .encode = space_rows::encode_volumes<space_rows::encode_polyhedra>,
-                          .kind = space_rows::case_kind,
-                          .states_materials = true,
-                          .states_weights = true,
-                          .states_short_edges = true}},
+     .space = space_rows::kFoam},
     {.extension = ".nc",
      .description =
          "MPAS mesh of the whole torus, which is rectangular, with .graph.info beside it",
@@ -314,9 +313,9 @@ std::string space_extensions() {
     return listed_extensions([](const SpaceFormat&) { return true; });
 }
 
-std::string tetrahedra_extensions() {
+std::string tetrahedra_extensions(plane::MeshKind mesh) {
     return listed_extensions(
-        [](const SpaceFormat& format) { return format.encode_tetrahedra != nullptr; });
+        [mesh](const SpaceFormat& format) { return format.shows_tetrahedra(mesh); });
 }
 
 std::string short_edges_extensions() {

@@ -103,10 +103,13 @@ struct Format {
     /// With the dot: ".obj".
     std::string_view extension;
     std::string_view description;
+    /// What the summary says of its files: what they cannot hold.
+    std::string_view note = {};
     /// Encodes the content of the format, which is a tile, the torus, the sites, the cells or their
-    /// voxels: one entry per path.
-    std::variant<TileWriter*, TileFormWriter*, TorusWriter*, SiteWriter*, CellWriter*, VoxelWriter*>
-        write;
+    /// voxels: one entry per path. Empty if the format holds only tiles in space.
+    std::variant<std::monostate, TileWriter*, TileFormWriter*, TorusWriter*, SiteWriter*,
+                 CellWriter*, VoxelWriter*>
+        write = {};
     /// Reads `files` (the file itself first, companions where there are any) back; a lattice
     /// replaces one that the file lacks. Empty if pcvt does not read the format.
     std::variant<std::monostate, TileReader*, GridReader*, SiteReader*, CellReader*, VoxelReader*>
@@ -171,9 +174,11 @@ struct Format {
         return std::holds_alternative<TileWriter*>(write) ||
                std::holds_alternative<TileFormWriter*>(write);
     }
+    bool is_only_in_space() const { return std::holds_alternative<std::monostate>(write); }
     /// Whether `pcvt check` proves the file: it holds a tile, a grid or voxels.
     bool is_readable() const {
-        return reads_grid() || reads_voxels() || std::holds_alternative<TileReader*>(read);
+        return is_only_in_space() || reads_grid() || reads_voxels() ||
+               std::holds_alternative<TileReader*>(read);
     }
     bool reads_sites() const { return std::holds_alternative<SiteReader*>(read); }
     bool reads_cells() const { return std::holds_alternative<CellReader*>(read); }
@@ -199,8 +204,8 @@ const Format* find_format(const std::string& path);
 
 /// Returns the extensions of formats that hold tiles in space: ".obj, .ply, ... or .txt".
 std::string space_extensions();
-/// Returns those that show tetrahedra with the mesh delaunay, ".vtu or .msh".
-std::string tetrahedra_extensions();
+/// Returns those that show tetrahedra of this mesh, ".msh, .inp or .vtu".
+std::string tetrahedra_extensions(plane::MeshKind mesh);
 /// Returns those that state PolyhedralMesh::short_edges, ".vtu or .foam".
 std::string short_edges_extensions();
 /// Returns those that take power cells, ".vtu, .csv or .txt".

@@ -99,6 +99,11 @@ void require_held(const Format& format, const FormatRequest& content, const RunR
 void add_files(const std::string& path, const RunRequest& run, Meshes meshes,
                std::vector<OutputFile>& files) {
     const Format& format = format_of_output(path, output_extensions);
+    if (format.is_only_in_space()) {
+        throw InvalidInput(path + ": " + std::string(format.extension) +
+                           " holds tiles in space only; give three period vectors, or take another "
+                           "format, such as .obj");
+    }
     const Meshes written = format.needs_tile() ? meshes : Meshes(kCells);
     FormatRequest content = run.content;
     for (std::size_t m = 0; m < written.size(); ++m) {
@@ -134,9 +139,11 @@ void add_files(const std::string& path, const SpaceRequest& run, Meshes meshes,
                            ", or give two period vectors");
     }
     if (mesh != plane::MeshKind::kVoronoi && format.space->encode != nullptr &&
-        format.space->encode_tetrahedra == nullptr) {
-        throw InvalidInput(path + ": the format holds no tetrahedra; take " +
-                           tetrahedra_extensions() + ", or write the cells in a run of their own");
+        !format.space->shows_tetrahedra(mesh)) {
+        throw InvalidInput(path + ": the format holds no " +
+                           (format.space->holds_only_grains ? "Delaunay " : "") +
+                           "tetrahedra; take " + tetrahedra_extensions(mesh) +
+                           ", or write the cells in a run of their own");
     }
     if (run.is_box && format.space->shows_tetrahedra(mesh) && mesh != plane::MeshKind::kGrains) {
         throw InvalidInput(path +
@@ -170,6 +177,11 @@ void add_files(const std::string& path, const SpaceRequest& run, Meshes meshes,
 void add_output(const std::string& path, const OutputRequest& request, Meshes meshes,
                 std::vector<OutputFile>& files) {
     std::visit([&](const auto& run) { add_files(path, run, meshes, files); }, request);
+}
+
+std::string format_note(const std::string& path) {
+    const Format* const format = find_format(path);
+    return format == nullptr ? "" : std::string(format->note);
 }
 
 std::string without_slash(const std::string& path) {

@@ -66,6 +66,9 @@ using OutputRequest = std::variant<RunRequest, SpaceRequest>;
 void add_output(const std::string& path, const OutputRequest& request,
                 std::span<const plane::MeshKind> meshes, std::vector<OutputFile>& files);
 
+/// What the files of the format of an output cannot hold, for a summary; mostly empty.
+std::string format_note(const std::string& path);
+
 /// `path` without the slash that shells append to the name of a case folder: t.foam/ -> t.foam.
 std::string without_slash(const std::string& path);
 

@@ -15,9 +15,11 @@
 #include "io/graphics/om_writer.hpp"
 #include "io/graphics/ply_reader.hpp"
 #include "io/graphics/ply_writer.hpp"
+#include "io/graphics/stl_proof.hpp"
 #include "io/openfoam/foam_fields.hpp"
 #include "io/openfoam/foam_lists.hpp"
 #include "io/openfoam/foam_polyhedra.hpp"
+#include "io/openfoam/foam_tetrahedra.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/run_files/site_reader.hpp"
 #include "io/solvers/vtu_volumes.hpp"
@@ -130,6 +132,12 @@ bool holds_same_cells(const std::vector<EncodedFile>& files, const SpaceTile& ti
            found.mesh.point_offset == tile.mesh.point_offset;
 }
 
+/// The format of tetrahedra; a case is a folder, whose files have other extensions.
+const SpaceFormat& format_of_tetrahedra(const std::vector<EncodedFile>& files) {
+    return *find_format(is_foam_of_tetrahedra(files) ? foam_folder(files) : files.front().path)
+                ->space;
+}
+
 /// The part of the materials that a format of tetrahedra states.
 CellMaterials held_materials(const SpaceFormat& format, const CellMaterials* materials) {
     if (materials == nullptr || !format.states_materials) return {};
@@ -152,6 +160,27 @@ bool same_positions(const std::vector<space::Vec3>& found, const std::vector<spa
     return off <= std::numeric_limits<double>::epsilon() * largest;
 }
 
+/// Proves tetrahedra.
+bool holds_same_tetrahedra(const std::vector<EncodedFile>& files, const SpaceFormat& format,
+                           const space::TetrahedralMesh& mesh, const CellMaterials* materials) {
+    const TetrahedralTile read = prove_tetrahedral_files(files).tile;
+    const space::TetrahedralMesh& found = read.mesh;
+    const bool sorts = format.sorts_corners;
+    return same_positions(found.points, mesh.points, format.rounds_positions) &&
+           found.point_site == mesh.point_site && found.point_offset == mesh.point_offset &&
+           found.tetrahedra == (sorts ? with_sorted_corners(mesh) : mesh).tetrahedra &&
+           found.cell == mesh.cell && found.order == (sorts ? 1 : mesh.order) &&
+           read.materials == held_materials(format, materials);
+}
+
+/// Proves the closed surfaces of cells or of the boundary, in the form that the file states.
+template <class Mesh>
+bool holds_same_surfaces(const EncodedFile& file, const Mesh& mesh) {
+    prove_stl(file);
+    const std::optional<SurfaceForm> form = stl_form(decode_stl(file));
+    return form && holds_surfaces(file, closed_surfaces(mesh, *form));
+}
+
 /// Proves files of a tile. @returns whether they hold it.
 bool holds_same(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
     switch (space_file_kind(files).value()) {
@@ -159,6 +188,8 @@ bool holds_same(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
             return holds_same_boundary(files, tile);
         case SpaceFileKind::kTriangles:
             return holds_same_triangles(files.front(), tile);
+        case SpaceFileKind::kClosedSurfaces:
+            return holds_same_surfaces(files.front(), tile.mesh);
         default:
             return holds_same_cells(files, tile);
     }
@@ -206,30 +237,28 @@ void prove_own_space_files(const std::vector<EncodedFile>& files, const SpaceTil
     throw InternalError(files.front().path + ": another tile is read back than was written");
 }
 
-TetrahedralFileProof prove_tetrahedral_file(const EncodedFile& file, double tolerance) {
-    const SpaceFormat& format = *find_format(file.path)->space;
-    TetrahedralFileProof result{.tile = format.decode_tetrahedra(file), .proof = {}};
+TetrahedralFileProof prove_tetrahedral_files(const std::vector<EncodedFile>& files,
+                                             double tolerance) {
+    const SpaceFormat& format = format_of_tetrahedra(files);
+    TetrahedralFileProof result{.tile = format.decode_tetrahedra(files, tolerance), .proof = {}};
     result.proof = prove_tetrahedra(result.tile.mesh, tolerance);
-    format.compare_tetrahedra(file, result.tile);
+    format.compare_tetrahedra(files, result.tile, tolerance);
     return result;
 }
 
-void prove_own_tetrahedra(const EncodedFile& file, const space::TetrahedralMesh& mesh,
+void prove_own_tetrahedra(const std::vector<EncodedFile>& files, const space::TetrahedralMesh& mesh,
                           const CellMaterials* materials) {
-    const SpaceFormat& format = *find_format(file.path)->space;
+    const SpaceFormat& format = format_of_tetrahedra(files);
+    const std::string& path = files.front().path;
     try {
-        const TetrahedralTile read = prove_tetrahedral_file(file).tile;
-        const space::TetrahedralMesh& found = read.mesh;
-        if (same_positions(found.points, mesh.points, format.rounds_positions) &&
-            found.point_site == mesh.point_site && found.point_offset == mesh.point_offset &&
-            found.tetrahedra == mesh.tetrahedra && found.cell == mesh.cell &&
-            found.order == mesh.order && read.materials == held_materials(format, materials)) {
+        if (format.is_closed_surfaces ? holds_same_surfaces(files.front(), mesh)
+                                      : holds_same_tetrahedra(files, format, mesh, materials)) {
             return;
         }
     } catch (const InvalidInput& error) {
-        throw InternalError(file.path + " breaks a law of tiles: " + error.what());
+        throw InternalError(path + " breaks a law of tiles: " + error.what());
     }
-    throw InternalError(file.path + ": other tetrahedra are read back than were written");
+    throw InternalError(path + ": other tetrahedra are read back than were written");
 }
 
 void prove_space_site_file(const EncodedFile& file, const space::Points& sites) {

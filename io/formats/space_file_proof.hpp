@@ -44,8 +44,8 @@ struct BoundaryFileProof {
 /// @throws BadFile, NotATile as the readers and the proof do.
 BoundaryFileProof prove_boundary_files(const std::vector<EncodedFile>& files);
 
-/// Proves a file, of any of these kinds, that pcvt is about to write, which must hold `tile` as
-/// well.
+/// Proves a file, of any of these kinds or of closed surfaces, that pcvt is about to write, which
+/// must hold `tile` as well.
 /// @throws CoarsePrecision  the tile is too fine for the single precision of the format.
 /// @throws InternalError    a law is violated: a fault of pcvt.
 void prove_own_space_files(const std::vector<EncodedFile>& files, const SpaceTile& tile);
@@ -56,17 +56,18 @@ struct TetrahedralFileProof {
     space::TetrahedralProof proof;
 };
 
-/// Proves all that a file of tetrahedra states: the laws of TetrahedralMesh, the nodes in the
+/// Proves all that files of tetrahedra state: the laws of TetrahedralMesh, the nodes in the
 /// middle of edges, groups, sets, links and equations, the images of points.
-/// @pre space_file_kind({file}) is kTetrahedra.
+/// @pre space_file_kind(files) is kTetrahedra.
 /// @param tolerance  least_tolerance of prove_tetrahedra().
 /// @throws BadFile, NotATile as the reader and the proof do.
-TetrahedralFileProof prove_tetrahedral_file(const EncodedFile& file, double tolerance = 0);
+TetrahedralFileProof prove_tetrahedral_files(const std::vector<EncodedFile>& files,
+                                             double tolerance = 0);
 
-/// The same for a file that pcvt is about to write, which must hold `mesh` as well, and the
-/// materials as far as its format states them.
+/// The same for files that pcvt is about to write, which must hold `mesh` as well, and the
+/// materials, as far as their format states them.
 /// @throws InternalError  a law is violated: a fault of pcvt.
-void prove_own_tetrahedra(const EncodedFile& file, const space::TetrahedralMesh& mesh,
+void prove_own_tetrahedra(const std::vector<EncodedFile>& files, const space::TetrahedralMesh& mesh,
                           const CellMaterials* materials = nullptr);
 
 /// Proves that a .txt file holds exactly these sites.

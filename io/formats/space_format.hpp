@@ -16,9 +16,9 @@
 
 namespace pcvt {
 
-/// The content of a file of a tile in space: its cells, its tetrahedra, its boundary, or
-/// the triangles of either of the first and the last in single precision.
-enum class SpaceFileKind { kPolyhedra, kTetrahedra, kBoundary, kTriangles };
+/// The content of a file of a tile in space: its cells, its tetrahedra, its boundary, the
+/// triangles of either of the first and the last in single precision, or only closed surfaces.
+enum class SpaceFileKind { kPolyhedra, kTetrahedra, kBoundary, kTriangles, kClosedSurfaces };
 
 /// Whether a format holds surfaces: none, those of the cells or the boundary as
 /// FileOptions::surfaces chooses, or always the boundary.
@@ -59,9 +59,17 @@ struct SpaceFormat {
     /// not hold a tile in space. Null for pictures, sites, tables and voxels.
     std::optional<SpaceFileKind> (*kind)(const std::vector<EncodedFile>& files) = nullptr;
     /// Reads tetrahedra, and compares all other statements of the file with the values that follow
-    /// from them. Set if and only if encode_tetrahedra is set.
-    TetrahedralTile (*decode_tetrahedra)(const EncodedFile& file) = nullptr;
-    void (*compare_tetrahedra)(const EncodedFile& file, const TetrahedralTile& tile) = nullptr;
+    /// from them. Set if and only if encode_tetrahedra is set and files are not closed surfaces.
+    TetrahedralTile (*decode_tetrahedra)(const std::vector<EncodedFile>& files,
+                                         double tolerance) = nullptr;
+    void (*compare_tetrahedra)(const std::vector<EncodedFile>& files, const TetrahedralTile& tile,
+                               double tolerance) = nullptr;
+    /// Whether it holds only tetrahedra inside of cells.
+    bool holds_only_grains = false;
+    /// Whether it states the four corners of tetrahedra without their order.
+    bool sorts_corners = false;
+    /// Whether its files hold closed surfaces and nothing else, whose proof needs no sites.
+    bool is_closed_surfaces = false;
     /// Whether its cells state their materials.
     bool states_materials = false;
     /// Whether its coordinates are rounded to the width that solvers read.
@@ -78,27 +86,32 @@ struct SpaceFormat {
 
     /// Whether its files hold the tetrahedra, of a job with this mesh.
     bool shows_tetrahedra(plane::MeshKind mesh) const {
+        if (mesh == plane::MeshKind::kDelaunay && holds_only_grains) return false;
         return encode_tetrahedra != nullptr &&
                (encode == nullptr || mesh != plane::MeshKind::kVoronoi);
     }
     /// Whether its files are written and never read back.
     bool is_picture() const { return encode != nullptr && kind == nullptr; }
+    /// Whether no proof of its files needs to know how the cells belong to their sites.
+    bool is_free_of_sites() const {
+        return encode == nullptr || is_picture() || is_closed_surfaces;
+    }
     /// Whether it takes a tile that lost edges: a picture, a list of sites, tetrahedra inside of
     /// cells, or cells that state it.
     bool takes_short_edges(plane::MeshKind mesh) const {
         if (shows_tetrahedra(mesh)) return mesh == plane::MeshKind::kGrains;
-        return states_short_edges || encode == nullptr || is_picture();
+        return states_short_edges || is_free_of_sites();
     }
     /// Whether it takes power cells: a picture, a table or a list of sites, tetrahedra inside of
     /// cells, or cells that state their weights.
     bool takes_weights(plane::MeshKind mesh) const {
         if (shows_tetrahedra(mesh)) return mesh == plane::MeshKind::kGrains;
-        return states_weights || encode == nullptr || is_picture();
+        return states_weights || is_free_of_sites();
     }
     /// Whether it takes elongated cells: a picture, a table or a list of sites, tetrahedra, or
     /// cells that state their metric.
     bool takes_metric(plane::MeshKind mesh) const {
-        return shows_tetrahedra(mesh) || states_metric || encode == nullptr || is_picture();
+        return shows_tetrahedra(mesh) || states_metric || is_free_of_sites();
     }
     bool shows_boundary(SurfaceForm chosen) const {
         return surfaces == FormatSurfaces::kBoundary ||

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,9 @@
 #include "io/graphics/om_writer.hpp"
 #include "io/graphics/ply_reader.hpp"
 #include "io/graphics/ply_writer.hpp"
+#include "io/graphics/stl_file.hpp"
 #include "io/openfoam/foam_polyhedra.hpp"
+#include "io/openfoam/foam_tetrahedra.hpp"
 #include "io/openfoam/foam_text.hpp"
 #include "io/openfoam/foam_writer.hpp"
 #include "io/pictures/space_picture.hpp"
@@ -89,10 +92,39 @@ inline std::vector<EncodedFile> encode_boundary(const SpaceTile& tile, const Fil
     return encode_om_boundary(tile_surface(tile.mesh, tile.sites), path);
 }
 
+/// Encodes the closed surfaces of cells, or of cells that tetrahedra fill.
+template <class Tile>
+std::vector<EncodedFile> encode_closed(const Tile& tile, const FileOptions& options,
+                                       const std::string& path) {
+    if constexpr (std::is_same_v<Tile, SpaceTile>) {
+        return encode_stl(closed_surfaces(tile.mesh, options.surfaces), path);
+    } else {
+        return encode_stl(closed_surfaces(tile, options.surfaces), path);
+    }
+}
+
 using Kind = std::optional<SpaceFileKind>;
 
+inline Kind closed_kind(const std::vector<EncodedFile>&) { return SpaceFileKind::kClosedSurfaces; }
+
 inline Kind case_kind(const std::vector<EncodedFile>& files) {
+    if (is_foam_of_tetrahedra(files)) return SpaceFileKind::kTetrahedra;
     return is_foam_of_polyhedra(files) ? Kind(SpaceFileKind::kPolyhedra) : std::nullopt;
+}
+
+inline std::vector<EncodedFile> encode_case(const space::TetrahedralMesh& mesh,
+                                            const FileOptions& options, const std::string& folder) {
+    return encode_foam_tetrahedra(mesh, options.materials, folder);
+}
+
+/// Reads, and compares, tetrahedra in one file.
+template <auto kDecode>
+TetrahedralTile decode_one(const std::vector<EncodedFile>& files, double) {
+    return kDecode(files.front());
+}
+template <auto kCompare>
+void compare_one(const std::vector<EncodedFile>& files, const TetrahedralTile& tile, double) {
+    kCompare(files.front(), tile);
 }
 
 template <SpaceFileKind kKind, auto kHolds>
@@ -117,9 +149,31 @@ inline constexpr SpaceFormat kAbaqus{
     .takes = {.job = true, .constants = true, .phases = true, .orientations = true},
     .encode_tetrahedra = encode_tetrahedra_inp,
     .kind = kind_where<SpaceFileKind::kTetrahedra, holds_inp_tetrahedra>,
-    .decode_tetrahedra = decode_inp_tetrahedra,
-    .compare_tetrahedra = compare_inp_tetrahedra,
+    .decode_tetrahedra = decode_one<decode_inp_tetrahedra>,
+    .compare_tetrahedra = compare_one<compare_inp_tetrahedra>,
     .states_materials = true,
     .rounds_positions = true};
+
+inline constexpr SpaceFormat kFoam{.memory = 6900,
+                                   .takes = {.phases = true, .orientations = true},
+                                   .paths = foam_paths<FoamCells::kPolyhedra>,
+                                   .encode = encode_volumes<encode_polyhedra>,
+                                   .encode_tetrahedra = encode_case,
+                                   .kind = case_kind,
+                                   .decode_tetrahedra = decode_foam_tetrahedra,
+                                   .compare_tetrahedra = compare_foam_tetrahedra,
+                                   .holds_only_grains = true,
+                                   .sorts_corners = true,
+                                   .states_materials = true,
+                                   .states_weights = true,
+                                   .states_short_edges = true};
+
+inline constexpr SpaceFormat kStl{.surfaces = FormatSurfaces::kChosen,
+                                  .memory = 11000,
+                                  .encode = encode_closed<SpaceTile>,
+                                  .encode_tetrahedra = encode_closed<space::TetrahedralMesh>,
+                                  .kind = closed_kind,
+                                  .holds_only_grains = true,
+                                  .is_closed_surfaces = true};
 
 }  // namespace pcvt::space_rows

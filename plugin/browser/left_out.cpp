@@ -1,5 +1,8 @@
 // Functions that the module leaves out, because neither the page nor the package offers them.
 
+#include "io/graphics/stl_proof.hpp"
+#include "io/openfoam/foam_space_notes.hpp"
+#include "io/openfoam/foam_tetrahedra.hpp"
 #include "io/run_files/material_file.hpp"
 #include "io/solvers/inp_tetrahedra.hpp"
 #include "io/solvers/inp_wedges.hpp"
@@ -16,6 +19,14 @@ namespace {
 
 [[noreturn]] void refuse_centroids() {
     throw InvalidInput("this module does not find sites of centroids; take the command");
+}
+
+[[noreturn]] void refuse_closed_surfaces() {
+    throw InvalidInput("this module has no .stl files; take the command");
+}
+
+[[noreturn]] void refuse_grains_of_cases() {
+    throw InvalidInput("this module has no tetrahedra in .foam cases; take the command");
 }
 
 [[noreturn]] void refuse_solver_tetrahedra() {
@@ -56,6 +67,51 @@ TetrahedralTile decode_inp_tetrahedra(const EncodedFile& /*inp*/) { refuse_solve
 
 void compare_inp_tetrahedra(const EncodedFile& /*inp*/, const TetrahedralTile& /*tile*/) {
     refuse_solver_tetrahedra();
+}
+
+ClosedSurfaces closed_surfaces(const space::PolyhedralMesh& /*mesh*/, SurfaceForm /*form*/) {
+    refuse_closed_surfaces();
+}
+
+ClosedSurfaces closed_surfaces(const space::TetrahedralMesh& /*mesh*/, SurfaceForm /*form*/) {
+    refuse_closed_surfaces();
+}
+
+std::vector<EncodedFile> encode_stl(const ClosedSurfaces& /*surfaces*/,
+                                    const std::string& /*path*/) {
+    refuse_closed_surfaces();
+}
+
+StlFile decode_stl(const EncodedFile& /*file*/) { refuse_closed_surfaces(); }
+
+std::optional<SurfaceForm> stl_form(const StlFile& /*stl*/) { refuse_closed_surfaces(); }
+
+StlProof prove_stl(const EncodedFile& /*file*/) { refuse_closed_surfaces(); }
+
+bool holds_surfaces(const EncodedFile& /*file*/, const ClosedSurfaces& /*surfaces*/) {
+    refuse_closed_surfaces();
+}
+
+std::vector<EncodedFile> encode_foam_tetrahedra(const space::TetrahedralMesh& /*mesh*/,
+                                                const CellMaterials* /*materials*/,
+                                                const std::string& /*folder*/) {
+    refuse_grains_of_cases();
+}
+
+bool is_foam_of_tetrahedra(const std::vector<EncodedFile>& files) {
+    return is_foam_of("tetrahedra", files);
+}
+
+space::TetrahedralMesh with_sorted_corners(space::TetrahedralMesh mesh) { return mesh; }
+
+TetrahedralTile decode_foam_tetrahedra(const std::vector<EncodedFile>& /*files*/,
+                                       double /*tolerance*/) {
+    refuse_grains_of_cases();
+}
+
+void compare_foam_tetrahedra(const std::vector<EncodedFile>& /*files*/,
+                             const TetrahedralTile& /*tile*/, double /*tolerance*/) {
+    refuse_grains_of_cases();
 }
 
 plane::CentroidCells plane::fit_areas_and_centroids(const Lattice& /*lattice*/,

@@ -4,6 +4,7 @@
 #include "io/bytes/readable_number.hpp"
 #include "io/formats/space_file_proof.hpp"
 #include "io/gltf/space_gltf_proof.hpp"
+#include "io/graphics/stl_proof.hpp"
 #include "mesher/base/law_violation.hpp"
 #include "mesher/plane/proof/validate.hpp"
 #include "mesher/space/proof/box_proof.hpp"
@@ -57,9 +58,9 @@ auto proved_within(double tolerance, const Prove& prove) {
     }
 }
 
-std::string prove_tetrahedral_tile(const EncodedFile& file, double tolerance) {
+std::string prove_tetrahedral_tile(const std::vector<EncodedFile>& files, double tolerance) {
     const auto [tile, proof] = proved_within(
-        tolerance, [&](double within) { return prove_tetrahedral_file(file, within); });
+        tolerance, [&](double within) { return prove_tetrahedral_files(files, within); });
     const space::TetrahedralMesh& mesh = tile.mesh;
     const std::string of = mesh.cell.empty() ? " of " + counted(proof.n_sites, "site")
                                              : " in " + counted(mesh.cell.back() + 1, "cell") +
@@ -92,6 +93,15 @@ std::string prove_triangles(const EncodedFile& file) {
     return std::to_string(proof.n_triangles) + " triangles in " + counted(proof.n_parts, "part") +
            (glb.list.form == SurfaceForm::kCells ? ", each closed" : ", which close together") +
            ", volume " + figure(proof.volume) + " (tolerance " + figure(proof.tolerance) + ")";
+}
+
+std::string prove_closed(const EncodedFile& file) {
+    const StlProof proof = prove_stl(file);
+    return std::to_string(proof.n_triangles) + " triangles in " +
+           counted(proof.n_surfaces, "surface") + ", each closed and oriented outwards, volume " +
+           figure(proof.volume) + (proof.has_periods ? ", that of the periods in its header" : "") +
+           " (tolerance " + figure(proof.tolerance) +
+           "); not proved, because STL does not hold them: unit, cells, pairs of the seam";
 }
 
 std::string prove_cells(const std::string& path, const std::vector<EncodedFile>& files,
@@ -130,11 +140,15 @@ std::string prove_kind(SpaceFileKind kind, const std::string& path,
     switch (kind) {
         case SpaceFileKind::kTetrahedra:
             require_no_cells(path, question, "tetrahedra");
-            return prove_tetrahedral_tile(files.front(), question.tolerance);
+            return prove_tetrahedral_tile(files, question.tolerance);
         case SpaceFileKind::kBoundary:
             require_no_cells(path, question, "a boundary");
             refuse_tolerance(path, question.tolerance, "a boundary");
             return prove_boundary(files);
+        case SpaceFileKind::kClosedSurfaces:
+            require_no_cells(path, question, "closed surfaces");
+            refuse_tolerance(path, question.tolerance, "closed surfaces");
+            return prove_closed(files.front());
         case SpaceFileKind::kTriangles:
             require_no_cells(path, question, "triangles in single precision");
             refuse_tolerance(path, question.tolerance, "triangles in single precision");
@@ -152,6 +166,8 @@ std::string space_content_text(SpaceFileKind kind) {
             return "a periodic tile of tetrahedra";
         case SpaceFileKind::kBoundary:
             return "the boundary of a periodic tile of polyhedra";
+        case SpaceFileKind::kClosedSurfaces:
+            return "closed surfaces of triangles";
         case SpaceFileKind::kTriangles:
             return "surfaces of a periodic tile of polyhedra";
         default:

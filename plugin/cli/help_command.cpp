@@ -59,10 +59,10 @@ std::string formats_help() {
     }
     text +=
         "\nWith three period vectors .vtu and .foam hold polyhedra, .msh, .inp and, with "
-        "--mesh delaunay\nor grains, .vtu tetrahedra, .obj, .ply, .glb and .om surfaces, and .txt "
-        "\"x y "
-        "z\" "
-        "a line.\n";
+        "--mesh delaunay\nor grains, .vtu tetrahedra, .obj, .ply, .glb, .om and .stl surfaces, and "
+        ".txt "
+        "\"x y z\"\na line. With --mesh grains .foam holds tetrahedra, and .stl the surfaces of "
+        "grains.\n";
     return text + "\nExample:\n  pcvt mesh --sites 300 --mesh grains -o tile.msh -o tile.svg\n";
 }
 

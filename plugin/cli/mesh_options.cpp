@@ -121,7 +121,7 @@ void add_output_options(CLI::App& app, MeshOptions& options) {
     app.option_defaults()->group("Output");
     app.add_option("--mesh", options.meshes,
                    "the faces, repeatable [voronoi]; grains: triangles inside of cells, in\n"
-                   "space tetrahedra (.msh, .inp, .vtu);\n"
+                   "space tetrahedra (.msh, .inp, .vtu, .foam; .stl: surfaces);\n"
                    "in space delaunay: tetrahedra, which .msh and .inp hold without --mesh too;\n"
                    "with several, " +
                        mesh_suffixes() + " precede the extension")

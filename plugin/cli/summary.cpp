@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "io/bytes/text.hpp"
+#include "io/formats/output_files.hpp"
 #include "plugin/cli/site_summary.hpp"
 #include "plugin/cli/terminal/console.hpp"
 #include "plugin/cli/tile_summary.hpp"
@@ -302,7 +303,10 @@ std::string summary_text(const Job& job, const RunSummary& summary) {
     text += material_lines(job, summary);
     text += tile_lines(job, summary);
     for (const std::string& words : summary.recovered) text += summary_line("recovered", words);
-    for (const std::string& file : summary.files) text += summary_line("file", file);
+    for (const std::string& file : summary.files) {
+        text += summary_line("file", file);
+        if (const auto note = format_note(file); !note.empty()) text += summary_line("", note);
+    }
     if (!job.report.empty()) text += summary_line("report", job.report);
     text += summary_line("seconds", figure(summary.seconds.total));
     return text;

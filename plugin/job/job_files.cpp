@@ -43,8 +43,8 @@ std::string extensions_that_take(const FeatureRow& feature, bool in_space) {
 
 /// Whether a file of a job can hold nodes in the middle of edges.
 bool holds_middle_nodes(const JobFile& file, const Job& job) {
-    return job.is_in_space() ? file.format->space->shows_tetrahedra(job.meshes.front())
-                             : file.format->highest_order > 1;
+    return file.format->highest_order > 1 &&
+           (!job.is_in_space() || file.format->space->shows_tetrahedra(job.meshes.front()));
 }
 
 /// Whether the elements in a file of a job lie in cells.

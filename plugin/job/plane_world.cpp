@@ -34,7 +34,7 @@ class PlaneContent {
         : job_(job), computation_(computation), tiles_(tiles) {}
 
     std::vector<EncodedFile> encode(const JobFile& file) const {
-        return std::visit([&](auto* write) { return encode(file, write); }, file.format->write);
+        return std::visit([&](auto write) { return encode(file, write); }, file.format->write);
     }
 
     void prove(const JobFile& file, const std::vector<EncodedFile>& encoded) const {
@@ -54,6 +54,8 @@ class PlaneContent {
     }
 
    private:
+    /// add_output() has refused formats that hold only tiles in space.
+    std::vector<EncodedFile> encode(const JobFile&, std::monostate) const { return {}; }
     std::vector<EncodedFile> encode(const JobFile& file, TileWriter* write) const {
         return write(tile(file), file.path());
     }

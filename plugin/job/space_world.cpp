@@ -127,7 +127,7 @@ struct SpaceContent {
         const SpaceFormat& format = *file.format->space;
         if (format.is_picture()) return;
         if (format.shows_tetrahedra(mesh())) {
-            prove_own_tetrahedra(encoded.front(), tetrahedra.value(), materials_of_tetrahedra());
+            prove_own_tetrahedra(encoded, tetrahedra.value(), materials_of_tetrahedra());
         } else if (format.encode != nullptr) {
             prove_own_space_files(encoded, tile);
         } else if (file.format->reads_voxels()) {

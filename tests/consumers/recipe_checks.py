@@ -167,8 +167,18 @@ def check_calculix(folder, text):
     require(20 / 11 * stress < mean < 5.5 * stress, f"S_xx of two materials is {mean}")
 
 
+def check_rve(folder, text):
+    require_files(folder, "rve.inp", "rve.dat")
+    require_crystals(text)
+
+
 def check_crystals(folder, text):
     require_files(folder, "crystals.inp", "crystals.dat")
+    require_crystals(text)
+
+
+def require_crystals(text):
+    """The stiffness of a polycrystal of iron."""
     rows = [line.split() for line in text.splitlines() if re.match(r"(xx|yy|zz|yz|xz|xy) ", line)]
     require([row[0] for row in rows] == ["xx", "yy", "zz", "yz", "xz", "xy"], f"the rows are {rows}")
     stiffness = [[float(word) for word in row[1:]] for row in rows]
@@ -179,6 +189,26 @@ def check_crystals(folder, text):
         found = re.search(rf"by {name}: K (\S+), G (\S+)$", text, re.M)
         require_near(float(found[1]), bulk, 1e-3, f"the bulk modulus by {name}")
         require(74473 * 0.98 < float(found[2]) < 89180 * 1.02, f"the shear modulus by {name} is {found[2]}, not near {shear}")
+
+
+def check_tension(folder, text):
+    require("Von Mises stress" in (folder / "tension.svg").read_text(), "no picture")
+    stress = [float(word) for word in re.search(r"^ +1 (.*)$", text, re.M)[1].split()]
+    require(len(stress) == 6 and 120 < stress[0] < 300, f"S_xx is {stress[0]}")
+    require(all(abs(s) < 1e-6 * stress[0] for s in stress[1:]), f"the other stresses are {stress[1:]}")
+    lateral = float(re.search(r"CONTROL_2.*\n\n +\d+ +\S+ +(\S+)", (folder / "tension.dat").read_text())[1])
+    require(-5e-4 < lateral < -1e-4, f"e_yy is {lateral}")
+
+
+def check_grain_case(folder, text):
+    require("Mesh OK." in text, "checkMesh finds a fault")
+    require(re.search(r"^grains\.foam: a periodic tile of tetrahedra: \d+ in 20 cells", text, re.M), "check does not accept the case")
+
+
+def check_stl(folder, text):
+    for name, n in (("cells", 30), ("box", 1)):
+        require(re.search(rf"^{name}\.stl: closed surfaces of triangles: \d+ triangles in {n} surfaces?, ", text, re.M),
+                f"check does not find the surfaces of {name}.stl")
 
 
 def check_stresses(folder, text):
@@ -512,6 +542,12 @@ ROWS = {
     ("Materials in space", "Colours"): Row(check_colours_in_space),
     ("Materials in space", "Voxels for DAMASK"): Row(check_space_voxels),
     ("Materials in space", "Stiffness of a polycrystal"): Row(check_crystals, programs=("ccx",)),
+    ("Volume elements", ""): Row(),
+    ("Volume elements", "From grain sizes to the stiffness"): Row(check_rve, programs=("ccx",)),
+    ("Volume elements", "Uniaxial stress"): Row(check_tension, programs=("ccx",)),
+    ("Volume elements", "Grains in OpenFOAM"): Row(check_grain_case, programs=("checkMesh",)),
+    ("Files for graphics", ""): Row(),
+    ("Files for graphics", "STL"): Row(check_stl),
     ("Your own data", ""): Row(),
     ("Your own data", "Your own points"): Row(check_own_points),
     ("Your own data", "Grains of measured sizes"): Row(check_measured_sizes),

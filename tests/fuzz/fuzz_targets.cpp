@@ -8,6 +8,7 @@
 #include "io/formats/formats.hpp"
 #include "io/gltf/space_gltf_proof.hpp"
 #include "io/graphics/seam_json.hpp"
+#include "io/graphics/stl_proof.hpp"
 #include "io/run_files/area_reader.hpp"
 #include "io/run_files/density_expression.hpp"
 #include "io/run_files/density_image.hpp"
@@ -29,6 +30,7 @@
 #include "tests/support/png_bytes.hpp"
 #include "tests/support/power_tiles.hpp"
 #include "tests/support/space_tiles.hpp"
+#include "tests/support/tetrahedra_files.hpp"
 
 namespace pcvt::testing {
 namespace {
@@ -125,7 +127,9 @@ std::vector<std::vector<EncodedFile>> space_files(const char* path) {
         }
         sets.push_back(format.encode(random_space_tile(5, space::kLongestShortEdge), {}, path));
     }
-    if (format.encode_tetrahedra != nullptr) {
+    if (format.encode_tetrahedra != nullptr && format.holds_only_grains) {
+        sets.push_back(format.encode_tetrahedra(grain_tetrahedra(2), {}, path));
+    } else if (format.encode_tetrahedra != nullptr) {
         const space::Lattice cube = space::Lattice::box(1, 1, 1);
         const space::Sites sites(cube, uniform_points(cube, 3, 1));
         sets.push_back(
@@ -143,9 +147,10 @@ void read_space_tile(const char* path, const std::string& bytes) {
         files.push_back({paths[k], parts[k]});
     }
     const std::optional<SpaceFileKind> kind = space_file_kind(files);
-    if (kind == SpaceFileKind::kTetrahedra) prove_tetrahedral_file(files.front());
+    if (kind == SpaceFileKind::kTetrahedra) prove_tetrahedral_files(files);
     if (kind == SpaceFileKind::kPolyhedra) prove_space_files(files);
     if (kind == SpaceFileKind::kBoundary) prove_boundary_files(files);
+    if (kind == SpaceFileKind::kClosedSurfaces) prove_stl(files.front());
     if (kind != SpaceFileKind::kTriangles) return;
     prove_glb_surfaces(files.front(), decode_glb_surfaces(files.front()));
 }
@@ -335,7 +340,8 @@ FuzzTarget format_target(const Format& format) {
 std::vector<FuzzTarget> make_targets() {
     std::vector<FuzzTarget> targets;
     for (const Format& format : formats()) {
-        if (format.is_readable()) targets.push_back(format_target(format));
+        if (format.is_readable() && !format.is_only_in_space())
+            targets.push_back(format_target(format));
     }
     targets.push_back(space_target("space_vtu", "t.vtu"));
     targets.push_back(space_target("space_foam", "t.foam"));
@@ -344,6 +350,7 @@ std::vector<FuzzTarget> make_targets() {
     targets.push_back(space_target("space_ply", "t.ply"));
     targets.push_back(space_target("space_glb", "t.glb"));
     targets.push_back(space_target("space_om", "t.om"));
+    targets.push_back(space_target("space_stl", "t.stl"));
     targets.push_back({"seam", read_seam, seam_seeds});
     targets.push_back({"material", read_materials, material_seeds});
     targets.push_back({"areas", read_areas_text, area_seeds});

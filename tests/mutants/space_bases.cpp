@@ -2,6 +2,7 @@
 
 #include "io/formats/space_file_proof.hpp"
 #include "io/gltf/space_gltf_proof.hpp"
+#include "io/graphics/stl_proof.hpp"
 #include "mesher/base/error.hpp"
 #include "mesher/space/mesh/elongated_cells.hpp"
 #include "tests/support/space_tiles.hpp"
@@ -135,10 +136,13 @@ void prove(SpaceFileKind kind, const Files& files) {
             prove_space_files(files);
             return;
         case SpaceFileKind::kTetrahedra:
-            prove_tetrahedral_file(files.front());
+            prove_tetrahedral_files(files);
             return;
         case SpaceFileKind::kBoundary:
             prove_boundary_files(files);
+            return;
+        case SpaceFileKind::kClosedSurfaces:
+            prove_stl(files.front());
             return;
         case SpaceFileKind::kTriangles:
             prove_glb_surfaces(files.front(), decode_glb_surfaces(files.front()));
@@ -157,7 +161,8 @@ std::vector<BaseFile> space_base_files(std::string_view extension) {
         if (format.encode != nullptr) add_space_tile(format, c, path, bases);
         if (c.name == "oblique") add_without_short_edges(format, c, path, bases);
         if (c.name == "oblique") add_materials(format, c, path, bases);
-        if (format.encode_tetrahedra != nullptr) add_tetrahedra(format, c, path, bases);
+        if (format.shows_tetrahedra(plane::MeshKind::kDelaunay))
+            add_tetrahedra(format, c, path, bases);
     }
     if (format.encode_tetrahedra != nullptr) add_grains(format, path, bases);
     return bases;

@@ -11,7 +11,7 @@ from support.random_inputs import (area_text, density_option, fixed_text, inclus
 
 PLANE_FORMATS = ("obj", "ply", "glb", "gltf", "om", "msh", "inp", "vtu", "svg", "png", "dxf", "html", "foam", "nc", "vti",
                  "csv", "txt")
-SPACE_FORMATS = ("vtu", "foam", "msh", "inp", "obj", "ply", "glb", "om", "svg", "png", "vti", "txt")
+SPACE_FORMATS = ("vtu", "foam", "msh", "inp", "obj", "ply", "glb", "om", "stl", "svg", "png", "vti", "txt")
 STEMS = ("t", "t", "t", "my tile", " two  blanks ", "Gitter-ä", "格子", "a;b", "it's", 'say "x"', "50%", "a#1", "(copy)",
          "v1.2", "new/folder/t", "T")
 COLOURS = ("sides", "size", "cells")
@@ -307,7 +307,7 @@ def outputs(job):
     for extension in chosen:
         job.add("-o", f"{stem}.{extension.upper() if job.often(0.03) else extension}")
     if not job.is_sound and job.often(0.1):
-        job.add("-o", draw.choice(("t.xyz", "t", "new\nline.obj", "s.txt", "t.stl", "/nowhere/t.obj", f"{stem}.{chosen[0]}")))
+        job.add("-o", draw.choice(("t.xyz", "t", "new\nline.obj", "s.txt", "t.step", "/nowhere/t.obj", f"{stem}.{chosen[0]}")))
     if job.often(0.2):
         job.add("--report", job.pick((f"{stem}.json", "r.json"), ("r.txt",)))
     if job.often(0.1) and job.dimension == 2:
@@ -347,7 +347,7 @@ def space_cells(job):
         job.add("--mesh", mesh)
         if mesh == "grains" and job.often(0.5):
             job.add(*job.pick((("--order", "2", "-o", "nodes.vtu"), ("--job", "elastic", "--material", "same", "-o", "job.inp"))))
-        job.leave_out("foam", "obj", "ply", "glb", "om", "svg", "png")
+        job.leave_out("obj", "ply", "glb", "om", "svg", "png", *(("foam", "stl") if mesh == "delaunay" else ()))
     elif job.often(0.15):
         job.add("--short-edges", job.pick((0.02, 0.1), (0.3,)))
         job.leave_out("msh", "inp", "obj", "ply", "glb", "om")
@@ -379,7 +379,7 @@ def space_options(job):
     chosen = outputs(job)
     if chosen.intersection(("obj", "ply", "glb", "svg", "png")) and job.often(0.3):
         job.add("--colour", job.pick(("faces", "size", "cells"), ("phase", "orientation", "sides", "red")))
-    if chosen.intersection(("obj", "ply", "glb")) and job.often(0.5):
+    if chosen.intersection(("obj", "ply", "glb", "stl")) and job.often(0.5):
         job.add("--surface", job.pick(("cells", "boundary"), ("both",)))
     if "vti" in chosen and job.often(0.5):
         job.add("--voxels", job.pick(("4,6,8", "16,9,5"), ("4,4", "1,8,8")))

@@ -47,7 +47,7 @@ inline space::TetrahedralMesh grain_tetrahedra(int n) {
 /// The message of the proof of a file of tetrahedra; empty if it accepts the file.
 inline std::string fault_of_tetrahedra(const EncodedFile& file) {
     try {
-        prove_tetrahedral_file(file);
+        prove_tetrahedral_files({file});
     } catch (const InvalidInput& fault) {
         return fault.what();
     }

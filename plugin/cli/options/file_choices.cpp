@@ -54,7 +54,7 @@ void add_file_choices(CLI::App& app, FileChoices& choices, NumberTexts& numbers)
         ->type_name(listed_words(kSolverJobs, "|", "|"));
     add_number(app, "--thickness", numbers);
     app.add_option("--surface", choices.surface,
-                   "of .obj, .ply and .glb: a closed surface for each cell, or the\n"
+                   "of .obj, .ply, .glb, .stl: a closed surface for each cell, or the\n"
                    "boundary of the tile, whose faces are matched [cells]")
         ->type_name(listed_words(kSurfaceForms, "|", "|"));
 }

@@ -91,7 +91,7 @@ class SpaceResult:
 
     def write(self, path, *, mesh="voronoi", outline="whole", surface="cells", report=None, replace=False, progress=None,
               voxels=(0, 0, 0), materials=None, colour="default", job="none", **fields):
-        """Writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb), pictures (.svg, .png), the boundary of the tile
+        """Writes the polyhedra (.vtu, .foam), their surfaces (.obj, .ply, .glb, .stl), pictures (.svg, .png), the boundary of the tile
         (.om), tetrahedra (.msh, .inp, .vtu), the cells as voxels (.vti), a table of the cells (.csv)
         or the sites (.txt), by the extension. Either all files
         appear, complete and proved to be a periodic tile, or none. Ctrl-C ends the call soon.
@@ -100,7 +100,7 @@ class SpaceResult:
 
         mesh        what .vtu shows: voronoi, the polyhedra, delaunay, the tetrahedra, or grains, those in cells
         outline     whole: no cell is cut; box: cells and grains are cut along the period vectors at the origin
-        surface     what .obj, .ply and .glb show: cells, or the boundary of the tile
+        surface     what .obj, .ply, .glb and .stl show: cells, or the boundary of the tile
         report      also write the statistics of the run to this .json file
         replace     whether files that exist are replaced
         progress    called with a Progress ten times a second; a true return value cancels

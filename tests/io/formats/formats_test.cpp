@@ -29,13 +29,13 @@ std::vector<Format> formats_of_tiles() {
 
 TEST(Formats, ExtensionsPickTheFormatInAnyCase) {
     for (const char* name :
-         {".obj", ".ply", ".glb", ".gltf", ".om", ".svg", ".png", ".dxf", ".html", ".msh", ".inp",
-          ".vtu", ".foam", ".nc", ".vti", ".csv", ".txt"}) {
+         {".obj", ".ply", ".glb", ".gltf", ".om", ".stl", ".svg", ".png", ".dxf", ".html", ".msh",
+          ".inp", ".vtu", ".foam", ".nc", ".vti", ".csv", ".txt"}) {
         ASSERT_NE(find_format(std::string("a.b/c") + name), nullptr) << name;
         EXPECT_EQ(find_format(std::string("a.b/c") + name)->extension, name);
     }
     EXPECT_EQ(find_format("TILE.OBJ")->extension, ".obj");
-    for (const char* path : {"", "obj", ".obj", "a.obj/b", "a.stl", "a.", "a.obj "}) {
+    for (const char* path : {"", "obj", ".obj", "a.obj/b", "a.step", "a.", "a.obj "}) {
         EXPECT_EQ(find_format(path), nullptr) << path;
     }
 }

@@ -42,7 +42,7 @@ TEST(InpTetrahedra, GiveBackPointsSitesAndTetrahedra) {
         SCOPED_TRACE(name);
         const EncodedFile file = tetrahedra_inp(mesh);
         ASSERT_EQ(space_file_kind({file}), SpaceFileKind::kTetrahedra);
-        EXPECT_NO_THROW(prove_own_tetrahedra(file, mesh));
+        EXPECT_NO_THROW(prove_own_tetrahedra({file}, mesh));
     }
 }
 
@@ -55,8 +55,8 @@ TEST(InpTetrahedra, OfBothOrdersAreGivenBackByAllFormats) {
         for (const char* const path : {"t.inp", "t.msh", "t.vtu"}) {
             const EncodedFile file =
                 find_format(path)->space->encode_tetrahedra(mesh, options, path).front();
-            EXPECT_NO_THROW(prove_own_tetrahedra(file, mesh, &materials)) << path;
-            EXPECT_EQ(prove_tetrahedral_file(file).tile.mesh.order, order) << path;
+            EXPECT_NO_THROW(prove_own_tetrahedra({file}, mesh, &materials)) << path;
+            EXPECT_EQ(prove_tetrahedral_files({file}).tile.mesh.order, order) << path;
         }
     }
 }

@@ -34,7 +34,7 @@ TEST(MshTetrahedra, GivesBackPointsSitesAndTetrahedra) {
         SCOPED_TRACE(name);
         const EncodedFile file = tetrahedra_msh(mesh);
         ASSERT_EQ(space_file_kind({file}), SpaceFileKind::kTetrahedra);
-        const space::TetrahedralMesh found = prove_tetrahedral_file(file).tile.mesh;
+        const space::TetrahedralMesh found = prove_tetrahedral_files({file}).tile.mesh;
         EXPECT_EQ(found.points, mesh.points);
         EXPECT_EQ(found.point_site, mesh.point_site);
         EXPECT_EQ(found.point_offset, mesh.point_offset);
@@ -46,8 +46,8 @@ TEST(MshTetrahedra, InsideOfCellsAreGivenBackWithTheirCells) {
     const space::TetrahedralMesh mesh = testing::grain_tetrahedra(6);
     const EncodedFile file = tetrahedra_msh(mesh);
     ASSERT_EQ(space_file_kind({file}), SpaceFileKind::kTetrahedra);
-    EXPECT_NO_THROW(prove_own_tetrahedra(file, mesh));
-    EXPECT_EQ(prove_tetrahedral_file(file).tile.mesh.cell, mesh.cell);
+    EXPECT_NO_THROW(prove_own_tetrahedra({file}, mesh));
+    EXPECT_EQ(prove_tetrahedral_files({file}).tile.mesh.cell, mesh.cell);
     EXPECT_THAT(file.bytes, HasSubstr("\"cell_5\""));
     // Whichever links of a node a program keeps, it finds as many unknowns as there are nodes.
     testing::expect_orbits(file.bytes, prove_tetrahedra(mesh).n_sites);

@@ -27,7 +27,7 @@ TEST(VtuTetrahedra, GivesBackPointsSitesAndTetrahedra) {
         SCOPED_TRACE(name);
         const EncodedFile file = tetrahedra_vtu(mesh);
         ASSERT_EQ(space_file_kind({file}), SpaceFileKind::kTetrahedra);
-        EXPECT_NO_THROW(prove_own_tetrahedra(file, mesh));
+        EXPECT_NO_THROW(prove_own_tetrahedra({file}, mesh));
     }
 }
 
@@ -35,8 +35,8 @@ TEST(VtuTetrahedra, InsideOfCellsAreGivenBackWithTheirCells) {
     const space::TetrahedralMesh mesh = testing::grain_tetrahedra(6);
     const EncodedFile file = tetrahedra_vtu(mesh);
     ASSERT_EQ(space_file_kind({file}), SpaceFileKind::kTetrahedra);
-    EXPECT_NO_THROW(prove_own_tetrahedra(file, mesh));
-    EXPECT_EQ(prove_tetrahedral_file(file).tile.mesh.cell, mesh.cell);
+    EXPECT_NO_THROW(prove_own_tetrahedra({file}, mesh));
+    EXPECT_EQ(prove_tetrahedral_files({file}).tile.mesh.cell, mesh.cell);
     EncodedFile damaged = file;
     damaged.bytes = testing::exchanged(file.bytes, "\n0\n1\n", "\n1\n1\n");
     EXPECT_THAT(testing::fault_of_tetrahedra(damaged), HasSubstr("t.vtu:"));

@@ -28,7 +28,7 @@ SECONDS = 12
 LONGEST_RUN = 300
 DONE, NOT_CONVERGED = 0, 5
 EXIT_CODES = {DONE, 2, 3, 4, NOT_CONVERGED}
-READABLE = ("obj", "ply", "glb", "gltf", "om", "msh", "inp", "vtu", "foam", "nc", "vti")
+READABLE = ("obj", "ply", "glb", "gltf", "om", "stl", "msh", "inp", "vtu", "foam", "nc", "vti")
 LEFT_OUT = re.compile(r"single precision|float32")
 # Said before a run, and no fault of it.
 NOTE = re.compile(r"^pcvt: takes about .*\n", re.MULTILINE)

@@ -137,7 +137,7 @@ class Options(CliTest):
 
     def test_formats_are_those_that_take_an_option(self):
         self.assertEqual(self.options["--voxels"]["formats"], [".vti"])
-        self.assertEqual(self.options["--surface"]["formats"], [".obj", ".ply", ".glb"])
+        self.assertEqual(self.options["--surface"]["formats"], [".obj", ".ply", ".glb", ".stl"])
         self.assertIsNone(self.options["--walls"]["formats"])
         for name, value in (("--pixels", 9), ("--thickness", 1), ("--cut", 9)):
             expected = ", ".join(self.options[name]["formats"]).replace(", ", "( or |, )")

@@ -31,7 +31,7 @@ MISTAKES = [
     ("study tabel1", ["tabel1", "did you mean table1?"], 2),
     ("study fig12", ["fig12", "table1 fig7"], 2),
     ("mesh --sites 30 -o t.ojb", ["unknown extension .ojb", "did you mean .obj?"], 2),
-    ("mesh --sites 30 -o t.step", ["unknown extension .step", ".obj", ".vtu"], 2),
+    ("mesh --sites 30 -o t.xyz", ["unknown extension .xyz", ".obj", ".vtu"], 2),
     # Values.
     ("mesh --sites 30 -o a.obj b.obj", ["b.obj", "give each file its own -o"], 2),
     ("mesh --sites 30 --mesh voronoi delaunay", ["give each kind its own --mesh"], 2),
@@ -68,7 +68,7 @@ MISTAKES = [
      ["--areas and --walls are not for three dimensions; leave them out"], 2),
     ("mesh --sites 9 --surface boundary", ["--surface is for three dimensions; leave it out, or give W,H,D"], 2),
     ("mesh --sites 9 --period 1,1,1 -o t.ojb", ["unknown extension .ojb", "did you mean .obj?"], 2),
-    ("mesh --sites 9 --period 1,1,1 -o t.step", ["unknown extension .step; take one of .obj, .ply"], 2),
+    ("mesh --sites 9 --period 1,1,1 -o t.xyz", ["unknown extension .xyz; take one of .obj, .ply"], 2),
     ("mesh --sites 9 --period 1,1,1 -o t.html", [".html does not support three dimensions; take .obj, .ply"], 2),
     ("mesh --sites 30 -o t.msh", ["no polygons", "take the mesh delaunay or grains"], 2),
     ("mesh --sites 30 -o t.obj -o t.obj", ["t.obj", "choose another name"], 2),

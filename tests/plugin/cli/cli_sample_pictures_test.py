@@ -1,5 +1,6 @@
 """samples/stress_picture and flow_picture: their pictures, and the line with which they refuse files."""
 
+import math
 import os
 import random
 import re
@@ -40,6 +41,68 @@ class Pictures(SampleTest):
         self.path("job.dat").write_text("\n" + title + rows + "\n")
         self.set_age("job.dat", -LONG)
         return self.path("job.inp"), self.path("job.dat"), "1"
+
+    def stress_in_space(self, *options):
+        """The same of tetrahedra in 5 cells of a box; the first cell has twice the stress."""
+        self.succeed("mesh", "--sites", 5, "--period", "1,2,1", "--mesh", "grains", "--max-iterations", 5, "--quiet", "--force",
+                     *options, "-o", "tile.inp")
+        self.path("job.inp").write_text(JOB.format("tile.inp"))
+        mesh = self.path("tile.inp").read_text()
+        elements = re.findall(r"^(\d+),(?:\d+,?)+\n", mesh.split(",ELSET=EALL\n")[1].split("\n*")[0] + "\n", re.M)
+        first = set(re.findall(r"\d+", mesh.split("*ELSET,ELSET=CELL_0\n")[1].split("*")[0]))
+        rows = "".join(f"{int(e):10} 1 {'2.0E+00 ' if e in first else '1.0E+00 '}{'0.0E+00 ' * 5}\n" for e in elements)
+        title = " stresses (elem, integ.pnt.,sxx,syy,szz,sxy,sxz,syz) for set EALL and time  0.1000000E+01\n\n"
+        self.path("job.dat").write_text("\n" + title + rows + "\n")
+        self.set_age("job.dat", -LONG)
+        return self.path("job.inp"), self.path("job.dat"), "1"
+
+    @staticmethod
+    def area(svg):
+        """The area of all polygons of a picture, and that of the brightest ones."""
+        sums = {}
+        for points, shade in re.findall(r'<polygon points="([^"]*)" fill="([^"]*)"', svg):
+            corners = [complex(*map(float, point.split(","))) for point in points.split()]
+            area = abs(sum((p.conjugate() * q).imag for p, q in zip(corners, corners[1:] + corners[:1]))) / 2
+            sums[shade] = sums.get(shade, 0) + area
+        return sum(sums.values()), sums.get("#fcf496", 0)
+
+    def test_slices_fill_their_plane_and_show_the_cells(self):
+        for options in ((), ("--outline", "box"), ("--order", 2)):
+            arguments = self.stress_in_space(*options)
+            for word, share in (("w=0.5", 1 / 2), ("u=0.25", 2), ("v=0.125", 1)):
+                with self.subTest(options=options, slice=word):
+                    svg = self.draw("stress_picture", (*arguments, word))
+                    width, height = (int(re.search(rf'{name}="(\d+)"', svg)[1]) for name in ("width", "height"))
+                    self.assertEqual(len(copies(svg)), 4)
+                    # The picture has two periods along each axis, and the scale below.
+                    whole, first = self.area(svg)
+                    self.assertAlmostEqual(4 * whole / (width * (height - 70)), 1, 2)
+                    self.assertAlmostEqual(width / (height - 70), share, 1)
+                    self.assertLess(first, 0.6 * whole)
+        # Cell 0 fills a fifth of the volume: the mean over planes.
+        parts = [self.area(self.draw("stress_picture", (*arguments, f"w={k / 20 + 0.01}"))) for k in range(20)]
+        self.assertAlmostEqual(sum(first / whole for whole, first in parts) / 20, 0.2, 1)
+
+    def test_open_picture_shows_six_faces(self):
+        arguments = self.stress_in_space()
+        svg = self.draw("stress_picture", arguments)
+        self.assertEqual(svg, self.draw("stress_picture", (*arguments, "open")))
+        self.assertEqual(len(copies(svg)), 1)
+        self.assertEqual(len(set(re.findall(r'fill="(#[0-9a-f]{6})"', svg)) & {"#fcf496"}), 1)
+        # The faces cover the outline of the period once.
+        ends = [complex(*map(float, point.split(","))) for row in re.findall(r'<polygon points="([^"]*)"', svg)
+                for point in row.split()]
+        hull = [max(ends, key=lambda p, turn=turn: (p * turn).real) for turn in
+                (complex(math.cos(t), math.sin(t)) for t in (k * math.pi / 180 for k in range(360)))]
+        area = abs(sum((p.conjugate() * q).imag for p, q in zip(hull, hull[1:] + hull[:1]))) / 2
+        self.assertAlmostEqual(self.area(svg)[0] / area, 1, 2)
+
+    def test_slices_that_are_none_are_refused(self):
+        job, data, step = self.stress_in_space()
+        for word in ("w=2", "z=0.5", "w", "w=", "w=-1", "w=nan"):
+            self.expect_refusal("stress_picture", (job, data, step, word), rf"job\.inp: '{re.escape(word)}' is no slice")
+        job, data, step = self.stress()
+        self.expect_refusal("stress_picture", (job, data, step, "w=0.5"), r"job\.inp: its elements lie in the plane, which has no ")
 
     def flow(self, walls=""):
         """Writes a case with the field of a solver at time 0.5; returns the arguments of flow_picture."""
@@ -144,7 +207,7 @@ class Pictures(SampleTest):
         mesh = self.path("tile.inp").read_text()
         for text, words in ((mesh.replace("pcvt lattice", "lattice"), "no comment 'pcvt lattice'"),
                             (mesh.replace("ELSET=CELL_", "ELSET=GRAIN_"), "in no set CELL_s"),
-                            ("*NODE\n1,0,0,0\n*ELEMENT,TYPE=C3D8\n1,1,2,3,4,5,6,7,8\n", "8 nodes and is neither a triangle nor a wedge"),
+                            ("*NODE\n1,0,0,0\n*ELEMENT,TYPE=C3D8\n1,1,2,3,4,5,6,7,8\n", "8 nodes and is not a tetrahedron"),
                             ("*NODE\n1,0,0,0\n*ELEMENT,TYPE=CPE3\n1,1,2,3\n", "no comment")):
             self.path("tile.inp").write_text(text)
             self.expect_refusal("stress_picture", (job, data, "1"), rf"(job|tile)\.inp(:\d+)?: .*{words}")

@@ -32,10 +32,10 @@ def areas_of(job):
 
 
 class Stiffness(SampleTest):
-    def stiffness(self):
+    def stiffness(self, *options):
         """Writes a job and the .dat file of a run; returns both, and the number of elements."""
         self.succeed("mesh", "--sites", 4, "--period", "2,1", "--mesh", "grains", "--size", 1, "--max-iterations", 5, "--quiet",
-                     "--force", "--job", "elastic", "-o", "job.inp")
+                     "--force", "--job", "elastic", *options, "-o", "job.inp")
         job, data = self.path("job.inp"), self.path("job.dat")
         areas = areas_of(job.read_text())
         elements = list(areas)
@@ -64,6 +64,48 @@ class Stiffness(SampleTest):
             for name, *values in rows:
                 for value, mean in zip(map(float, values), means[name], strict=True):
                     self.assertAlmostEqual(value * holes / mean, 1, 4)
+
+    def bounds(self, *options):
+        """Returns the least and the greatest xx, yy and xy that the script prints for a job."""
+        data = self.stiffness(*options)[1]
+        line = printed("stiffness", data)[1].splitlines()[-1]
+        found = re.fullmatch(r"# by the materials of the elements \(Reuss to Voigt\): xx (\S+) to (\S+), yy (\S+) to (\S+), "
+                             r"xy (\S+) to (\S+)", line)
+        return [(float(found[k]), float(found[k + 1])) for k in (1, 3, 5)]
+
+    def test_bounds_are_the_means_of_the_materials(self):
+        def strain(modulus, nu):
+            return modulus * (1 - nu) / ((1 + nu) * (1 - 2 * nu)), modulus / (2 * (1 + nu))
+
+        parts = ("--phases", "a:0.5,b:0.5", "--material", "a:10,0", "--material", "b:30,0")
+        for options, wanted in (((), [(strain(210000, 0.3)[0],) * 2, (strain(210000, 0.3)[1],) * 2]),
+                                (("--element", "CPS"), [(210000 / (1 - 0.09),) * 2, (strain(210000, 0.3)[1],) * 2]),
+                                # Crystals that are isotropic have one stiffness, however they are turned.
+                                (("--orientations", "random", "--material", "GRAINS:30,10,10"), [(30, 30), (10, 10)])):
+            (xx, yy, xy) = self.bounds(*options)
+            for found, expected in ((xx, wanted[0]), (yy, wanted[0]), (xy, wanted[1])):
+                for value, number in zip(found, expected, strict=True):
+                    self.assertAlmostEqual(value / number, 1, 4)
+        # Two phases without Poisson's ratio, a part p of the area hard: p 30 + (1 - p) 10, and 1 / (p / 30 + (1 - p) / 10).
+        least, most = self.bounds(*parts)[0]
+        p = (most - 10) / 20
+        self.assertTrue(0.3 < p < 0.7)
+        self.assertAlmostEqual(least * (p / 30 + (1 - p) / 10), 1, 4)
+
+    def test_mean_stress_of_any_steps(self):
+        job, data, _ = self.stiffness()
+        areas = areas_of(job.read_text())
+        tables = data.read_text().split("\n stresses")
+        data.write_text("\n stresses" + "\n stresses".join(tables[2:]))
+        lines = printed("stiffness", data, "--mean")[1].splitlines()
+        self.assertEqual([line.split()[0] for line in lines], ["#", "#", "1", "2"])
+        means = [sum(area * stress_of(element, point, 2)[k] for element, area in areas.items() for point in (1, 2)) / 4
+                 for k in (0, 1, 2, 5, 4, 3)]
+        for value, mean in zip(map(float, lines[2].split()[1:]), means, strict=True):
+            self.assertAlmostEqual(value / mean, 1, 4)
+        self.assertEqual(printed("stiffness", data)[0], 2)
+        data.write_text("")
+        self.expect_line("stiffness", (data, "--mean"), "job.dat: it does not hold the stresses and volumes of each step")
 
     def test_stiffness_refuses_a_run_that_ended_early(self):
         _, data, n = self.stiffness()

@@ -141,7 +141,7 @@ class Files(CliTest):
         for name in names:
             result.write(self.path(name), replace=True)
             self.assertNotEqual(self.contents()[name], of_command[name])
-        with self.assertRaisesRegex(pcvt.ArgumentError, "surface is for .obj, .ply or .glb"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "surface is for .obj, .ply, .glb or .stl"):
             result.write(self.path("a.foam"), surface="boundary")
         with self.assertRaisesRegex(pcvt.ArgumentError, "surface 'skin' is unknown; take one of cells, boundary"):
             result.write(self.path("a.obj"), surface="skin")
