@@ -27,9 +27,14 @@ int TetrahedronFlips::fourth(int t, int a, int b, int c) const {
 }
 
 double TetrahedronFlips::pair_quality(int a, int b, int i, int k, int j, double least) const {
-    const double below = cell_.quality_of({a, ring_[i], ring_[k], ring_[j]});
-    if (below <= least) return below;
-    return std::min(below, cell_.quality_of({b, ring_[i], ring_[j], ring_[k]}));
+    const Vec3& p = cell_.point(ring_[i]);
+    const Vec3& q = cell_.point(ring_[k]);
+    const Vec3& r = cell_.point(ring_[j]);
+    const FourCorners below{a, ring_[i], ring_[k], ring_[j]};
+    const double of_a = cell_.rated(below, smallest_sine(cell_.point(a), p, q, r));
+    if (of_a <= least) return of_a;
+    const FourCorners above{b, ring_[i], ring_[j], ring_[k]};
+    return std::min(of_a, cell_.rated(above, smallest_sine(cell_.point(b), p, r, q)));
 }
 
 bool TetrahedronFlips::triangulate_ring(int a, int b, double least, FlipPlan& plan) {
