@@ -62,7 +62,15 @@ int rounded_pole_colour(const BungeAngles& angles) {
     return packed;
 }
 
-TileColours colours_by_orientation(const std::vector<BungeAngles>& angles) {
+std::vector<SiteId> all_cells(const CellQuantities& cells) {
+    std::vector<SiteId> sites(cells.n_faces.size());
+    std::iota(sites.begin(), sites.end(), 0);
+    return sites;
+}
+
+}  // namespace
+
+TileColours orientation_classes(std::span<const BungeAngles> angles) {
     std::vector<int> shown;
     for (const BungeAngles& own : angles) shown.push_back(rounded_pole_colour(own));
     std::vector<int> classes = shown;
@@ -84,14 +92,6 @@ TileColours colours_by_orientation(const std::vector<BungeAngles>& angles) {
     }
     return colours;
 }
-
-std::vector<SiteId> all_cells(const CellQuantities& cells) {
-    std::vector<SiteId> sites(cells.n_faces.size());
-    std::iota(sites.begin(), sites.end(), 0);
-    return sites;
-}
-
-}  // namespace
 
 TileColours phase_classes(const CellMaterials& materials, std::span<const SiteId> cells) {
     const std::vector<int>& phases = materials.site_phase;
@@ -124,7 +124,7 @@ TileColours cell_colours(Colouring colouring, const CellQuantities& cells) {
             colours.explanation = ", by phase";
             return colours;
         case Colouring::kOrientation:
-            return colours_by_orientation(cells.materials->site_orientation);
+            return orientation_classes(cells.materials->site_orientation);
         default:
             throw InternalError("cells in space do not have the quantity that colours show");
     }

@@ -24,11 +24,13 @@ struct CellQuantities {
 /// Example usage:
 ///     const TileColours colours = cell_colours(Colouring::kFaces, {.n_faces = counts});
 ///
-/// Orientations have a class for each colour of pole_colour(), whose components are rounded to
-/// multiples of 15, so that there are at most 867.
-///
 /// @throws InternalError if cells in space do not have the quantity.
 TileColours cell_colours(Colouring colouring, const CellQuantities& cells);
+
+/// Returns the classes of orientations, one for each colour of pole_colour(), whose components are
+/// rounded to multiples of 15, so that there are at most 867; `class_of` has one entry for each
+/// orientation.
+TileColours orientation_classes(std::span<const BungeAngles> angles);
 
 /// Returns the classes of phases: from kCellColours phases on, colours repeat.
 TileColours phase_classes(const CellMaterials& materials, std::span<const SiteId> cells);

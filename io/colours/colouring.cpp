@@ -88,6 +88,10 @@ bool has_phases(const SiteQuantities& quantities) {
     return quantities.materials != nullptr && !quantities.materials->site_phase.empty();
 }
 
+bool has_orientations(const SiteQuantities& quantities) {
+    return quantities.materials != nullptr && !quantities.materials->site_orientation.empty();
+}
+
 bool are_there(ColouringNeed needs, const SiteQuantities& quantities) {
     switch (needs) {
         case ColouringNeed::kNothing:
@@ -100,7 +104,7 @@ bool are_there(ColouringNeed needs, const SiteQuantities& quantities) {
         case ColouringNeed::kOrbits:
             return !quantities.orbits.empty();
         case ColouringNeed::kOrientations:
-            break;
+            return has_orientations(quantities);
     }
     return false;
 }
@@ -165,6 +169,16 @@ TileColours colours_by_tag(const plane::Tile& tile, const SiteQuantities& quanti
     return colours;
 }
 
+TileColours colours_by_orientation(const plane::Tile& tile, const SiteQuantities& quantities) {
+    TileColours colours = orientation_classes(quantities.materials->site_orientation);
+    const std::vector<int> of_site = std::move(colours.class_of);
+    colours.class_of.clear();
+    for (const SiteId site : owners(tile)) {
+        colours.class_of.push_back(of_site[static_cast<std::size_t>(site) % of_site.size()]);
+    }
+    return colours;
+}
+
 TileColours colours_by_orbit(const plane::Tile& tile, const SiteQuantities& quantities) {
     const std::span<const int> orbits = quantities.orbits;
     TileColours colours{.class_of = {}, .classes = {}, .explanation = " by orbit"};
@@ -200,6 +214,7 @@ TileColours tile_colours(const plane::Tile& tile, Colouring colouring,
 
 Colouring default_picture_colouring(const plane::Tile& tile, const SiteQuantities& quantities) {
     if (has_phases(quantities)) return Colouring::kPhase;
+    if (has_orientations(quantities)) return Colouring::kOrientation;
     if (mesh_kind_row(tile.kind).grain_size) return Colouring::kCells;
     return quantities.densities.empty() ? Colouring::kSides : Colouring::kSize;
 }

@@ -82,6 +82,9 @@ TileColourer colours_by_orbit;
 /// By the tag of each cell, which is its phase, in a run with inclusions.
 TileColourer colours_by_tag;
 
+/// By the orientation of each cell, as a cubic crystal: pole_colour().
+TileColourer colours_by_orientation;
+
 /// The colours of faces or sites of these classes, 0 ... kCellColours - 1, which have no other
 /// meaning.
 TileColours cell_classes(std::vector<int> class_of);
@@ -160,8 +163,7 @@ inline constexpr std::array kColourings{ColouringRow{.colouring = Colouring::kSi
                                                      .abi_value = 9,
                                                      .needs = ColouringNeed::kOrientations,
                                                      .shows_values = false,
-                                                     .colours = nullptr,
-                                                     .in_plane = false,
+                                                     .colours = colours_by_orientation,
                                                      .in_space = true}};
 
 constexpr const ColouringRow& colouring_row(Colouring colouring) {
@@ -179,7 +181,8 @@ TileColours tile_colours(const plane::Tile& tile, Colouring colouring,
                          const SiteQuantities& quantities);
 
 /// Returns the colouring of pictures where the user leaves the choice: the phases, if there are
-/// some; grains one by one; the sizes of cells where there is a density; else the numbers of sides.
+/// some, else the orientations; grains one by one; the sizes of cells where there is a density;
+/// else the numbers of sides.
 Colouring default_picture_colouring(const plane::Tile& tile, const SiteQuantities& quantities);
 
 }  // namespace pcvt

@@ -78,6 +78,8 @@ class Colouring {
             this.byCells(tile, classes);
         else if (mode === 'phase')
             this.byPhase(tile, classes);
+        else if (mode === 'orientation')
+            this.byOrientation(tile, classes);
         else if (mode === 'orbit')
             this.byOrbit(tile, classes);
         else
@@ -127,6 +129,16 @@ class Colouring {
         this.entries =
             tile.phases.map((name, k) => ({colour: this.colours[k], label: name, count: counts[k]}));
         for (let f = 0; f < tile.nFaces; ++f) classes[f] = tile.phaseOf(f);
+    }
+
+    /** The inverse pole figure along z of cubic crystals. */
+    byOrientation(tile, classes) {
+        this.title = 'Orientation: red 001, green 011, blue 111 along z';
+        this.colours = [...new Set(tile.poleColours)];
+        const classOf = new Map(this.colours.map((colour, k) => [colour, k]));
+        for (let f = 0; f < tile.nFaces; ++f) {
+            classes[f] = classOf.get(tile.poleColours[tile.sites[f] % tile.poleColours.length]);
+        }
     }
 
     /** Colours that are equal in an orbit of the symmetry; neighbours of other orbits differ. */

@@ -38,6 +38,7 @@ class Controls {
             (tile.wallOf.size > 0 ? ` · ${count(tile.wallOf.size, 'edge')} on walls` : '');
         viewerLabel(tile, parts[tile.kind]);
         element('with-phases').hidden = tile.hasTriangles || tile.phases.length === 0;
+        element('with-orientations').hidden = tile.hasTriangles || tile.poleColours.length === 0;
         element('with-orbits').hidden = tile.orbitClasses.length === 0;
         element('with-density').hidden = tile.densities.length === 0;
         element('with-dual').hidden = !tile.hasDual;
@@ -72,6 +73,7 @@ class Controls {
         if (!this.tile.hasTriangles) modes.push('cells');
         if (this.tile.densities.length > 0) modes.push('density');
         if (!this.tile.hasTriangles && this.tile.phases.length > 0) modes.push('phase');
+        if (!this.tile.hasTriangles && this.tile.poleColours.length > 0) modes.push('orientation');
         if (this.tile.orbitClasses.length > 0) modes.push('orbit');
         viewer.mode = choiceOf(options.get('colour'), modes, viewer.mode);
         for (const radio of document.querySelectorAll('[name=mode]')) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "io/bytes/json_writer.hpp"
+#include "io/colours/cell_colours.hpp"
 #include "io/colours/site_classes.hpp"
 #include "io/forms/finite.hpp"
 #include "io/page/page_parts.hpp"
@@ -47,6 +48,17 @@ void append_phases(JsonWriter& json, const CellMaterials* materials) {
     json.member("site_phases", shown.site_phase);
 }
 
+/// Appends the colour of the orientation of each site of one period.
+void append_pole_colours(JsonWriter& json, const CellMaterials* materials) {
+    std::vector<std::string> of_site;
+    if (materials != nullptr) {
+        const TileColours colours = orientation_classes(materials->site_orientation);
+        for (const int k : colours.class_of) of_site.push_back(hex(colours.classes[k].colour));
+    }
+    json.key("pole_colours");
+    json.values(of_site, kSpacedJson);
+}
+
 /// Appends whether the sides across x and across y are walls, and the ends of each edge on a wall
 /// with the name of the wall; nothing without walls.
 void append_walls(JsonWriter& json, const plane::Tile& tile) {
@@ -88,6 +100,7 @@ std::string page_data(const plane::Tile& tile, const FileOptions& options,
     append_points(json, "site_points", tile.site_points);
     json.member("densities", options.site_densities);
     append_phases(json, options.materials);
+    append_pole_colours(json, options.materials);
     json.member("orbits", options.site_orbits);
     json.member("orbit_classes", owned && !options.site_orbits.empty()
                                      ? site_classes(tile, options.site_orbits)

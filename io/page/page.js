@@ -23,7 +23,7 @@ class Viewer {
         this.tile = new Tile(data);
         this.canvas = element('picture');
         this.context = this.canvas.getContext('2d');
-        const ofCells = ['cells', 'phase', 'orbit'].includes(data.colouring);
+        const ofCells = ['cells', 'phase', 'orientation', 'orbit'].includes(data.colouring);
         this.mode = ofCells && this.tile.hasTriangles ? 'sides' : data.colouring;
         this.show = {seam: true, dual: false, edges: true, sites: true, domain: false};
         this.repeat = [1, 1];

@@ -18,6 +18,7 @@ class Tile {
         this.densities = data.densities;
         this.phases = data.phases;
         this.sitePhases = data.site_phases;
+        this.poleColours = data.pole_colours;
         this.orbits = data.orbits;
         this.orbitClasses = data.orbit_classes;
         this.colourClasses = data.classes;

@@ -158,12 +158,10 @@ constexpr std::array kContradictions{
     Contradiction{
         FeatureSet{F::kColourByTag}, kNone, kWithInclusions,
         "--colour tag needs --inclusions or --fibres; add one of them, or take --colour size"},
-    Contradiction{FeatureSet{F::kColourByOrientation}, kNone,
-                  FeatureSet{F::kOrientations, F::kColourOfSpace},
+    Contradiction{FeatureSet{F::kColourByOrientation}, kNone, FeatureSet{F::kOrientations},
                   "--colour orientation needs --orientations; add it, or take --colour size"},
     Contradiction{FeatureSet{F::kColourOfSpace}, kNone, kNone,
-                  "--colour faces and orientation are for three dimensions; take sides, size, "
-                  "phase or cells"},
+                  "--colour faces is for three dimensions; take sides, size, phase or cells"},
     Contradiction{FeatureSet{F::kSurface}, FeatureSet{F::kColour}, kNone,
                   "--surface boundary has the colours of its seam; leave --colour out, or take "
                   "--surface cells"},

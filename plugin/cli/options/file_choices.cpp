@@ -14,9 +14,9 @@ void add_file_choices(CLI::App& app, FileChoices& choices, NumberTexts& numbers)
                    "the quantity that colours show; cells: neighbours differ; orbit: of\n"
                    "the sites under --symmetry, neighbouring orbits differ; orientation: the\n"
                    "inverse pole figure along z of cubic crystals [sides; in pictures with\n"
-                   "--phases phase, with inclusions tag, of grains cells, and of other cells\n"
-                   "with --density size; in space with --phases phase, with --orientations\n"
-                   "orientation, else faces]")
+                   "--phases phase, with --orientations orientation, with inclusions tag, of\n"
+                   "grains cells, and of other cells with --density size; in space with\n"
+                   "--phases phase, with --orientations orientation, else faces]")
         ->type_name(listed_words(kColourings, "|", "|"));
     app.add_option("--background", choices.background,
                    "the background of .svg; none: the page shows through, and text follows\n"

@@ -14,7 +14,10 @@ CHOICES = {
         "solver": {"default": 0, "lbfgs": 1, "lloyd": 2, "newton": 3},
         "mesh": {"voronoi": 0, "delaunay": 1, "grains": 2},
         "outline": {"whole": 0, "box": 1},
-        "colour": {"default": 0, "sides": 1, "size": 2, "cells": 3, "density": 4, "phase": 5, "orbit": 6, "tag": 7},
+        "colour": {
+            "default": 0, "sides": 1, "size": 2, "cells": 3, "density": 4, "phase": 5, "orbit": 6, "tag": 7,
+            "orientation": 9,
+        },
         "glb_nodes": {"default": 0, "cells": 1, "one": 2},
         "element": {"CPE": 0, "CPS": 1, "C3D6": 2, "C3D15": 3},
         "job": {"none": 0, "elastic": 1},

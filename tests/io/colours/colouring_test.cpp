@@ -65,6 +65,21 @@ TEST(Colouring, ByOrbitEachCellHasTheClassOfItsOrbit) {
     EXPECT_EQ(few.classes[1].label, "orbit 1: 8");
 }
 
+TEST(Colouring, ByOrientationCellsHaveTheirColoursOfTheInversePoleFigure) {
+    const plane::Tile tile = grid_tile(plane::Lattice::rectangle(1, 1), 2, 2);
+    const CellMaterials materials{
+        .site_orientation = {{0, 0, 0}, {0, 45, 0}, {30, 0, 0}, {0, 54.735610317245346, 45}}};
+    const TileColours colours =
+        tile_colours(tile, Colouring::kOrientation, {.materials = &materials});
+    const std::vector<std::string> expected{"#ff0000", "#00ff00", "#ff0000", "#0000ff"};
+    for (int f = 0; f < tile.n_faces(); ++f) {
+        EXPECT_EQ(hex(colours.classes[colours.class_of[f]].colour), expected[tile.face_site[f]]);
+    }
+    EXPECT_EQ(colours.classes.size(), 3U);
+    EXPECT_EQ(default_picture_colouring(tile, {.materials = &materials}), Colouring::kOrientation);
+    EXPECT_THROW(tile_colours(tile, Colouring::kOrientation, {}), InternalError);
+}
+
 TEST(Colouring, AQuantityThatIsMissingIsAFaultOfTheCaller) {
     const plane::Tile tile = grid_tile(plane::Lattice::rectangle(1, 1), 4, 4);
     EXPECT_THROW(tile_colours(tile, Colouring::kPhase, {}), InternalError);

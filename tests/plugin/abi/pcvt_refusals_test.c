@@ -452,7 +452,7 @@ static void unknown_forms_of_files_are_refused(void) {
     CHECK(strstr(pcvt_last_error(), "colour 10") != NULL);
     forms.colour = PCVT_COLOUR_FACES;
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), "colour faces and orientation are for three") != NULL);
+    CHECK(strstr(pcvt_last_error(), "colour faces is for three") != NULL);
     forms.colour = PCVT_COLOUR_DENSITY;
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
     forms.colour = PCVT_COLOUR_ORBIT;

@@ -59,7 +59,7 @@ class Phases(CliTest):
     def test_formats_without_phases_are_refused(self):
         self.refuse(2, r"no output takes phases; add one of .*\.msh or \.inp", "mesh", "--sites", 9,
                     "--phases", "a:1", "-o", "t.om")
-        self.refuse(2, r"no output takes orientations; add one of \.inp", *GRAINS,
+        self.refuse(2, r"no output takes orientations; add one of .*\.inp", *GRAINS,
                     "--orientations", "random", "-o", "t.msh")
         self.refuse(2, "Delaunay triangles are not cells, .*; take the mesh grains", "mesh", "--sites",
                     9, "--mesh", "delaunay", "--phases", "a:1", "-o", "t.inp")
@@ -77,6 +77,26 @@ class Orientations(CliTest):
         row = re.search(r"NAME=ORI_1\n(.*)", text)[1]
         self.assertEqual(row, "1,0,0,0,0,1")
         self.succeed("check", "t.inp")
+
+    def test_colours_show_orientations(self):
+        run = ("mesh", "--sites", 30, "--seed", 3, "--orientations", "random", "--force")
+        self.succeed(*run, "--colour", "orientation", "-o", "t.obj", "-o", "t.ply", "-o", "t.glb", "-o", "t.html")
+        for name in ("t.obj", "t.ply", "t.glb"):
+            self.succeed("check", name)
+        used = re.findall(r"^usemtl (.*)$", self.path("t.obj").read_text(), re.M)
+        self.assertGreater(len(set(used)), 20)
+        self.assertTrue(all(name.startswith("ipf_") for name in used))
+        page = self.path("t.html").read_text()
+        self.assertIn('"colouring": "orientation"', page)
+        colours = re.search(r'"pole_colours": \[(.*?)\]', page)[1].replace('"', "").split(", ")
+        self.assertEqual(len(colours), 30)
+        self.assertEqual({f"ipf_{colour[1:]}" for colour in colours}, set(used))
+        # Pictures show orientations where the user leaves the choice.
+        self.succeed(*run, "-o", "a.svg")
+        self.succeed(*run, "-o", "b.svg", "--colour", "orientation")
+        self.assertEqual(self.path("a.svg").read_text().replace("a.svg", ""),
+                         self.path("b.svg").read_text().replace("b.svg", "").replace(" --colour orientation", ""))
+        self.refuse(2, "--colour orientation needs --orientations", "mesh", "--sites", 9, "--colour", "orientation", "-o", "t.svg")
 
     def test_wrong_files_are_named_with_their_lines(self):
         for text, words in ((b"1 2 3\n4 5\n", r"a\.txt:2: an orientation has 3 angles, .* has 2; "),

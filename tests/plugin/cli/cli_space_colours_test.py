@@ -79,7 +79,7 @@ class Colours(CliTest):
                               ("phase", "--colour phase needs --phases"),
                               ("orientation", "--colour orientation needs --orientations; add it")):
             self.refuse(2, words, *RUN, "--colour", colour, "-o", "t.obj")
-        self.refuse(2, "--colour faces and orientation are for three dimensions", "mesh", "--sites", 9, "--colour", "faces", "-o", "p.obj")
+        self.refuse(2, "--colour faces is for three dimensions", "mesh", "--sites", 9, "--colour", "faces", "-o", "p.obj")
         self.refuse(2, "no output takes a colouring; add one of .obj or .ply or .glb or .svg or .png", *RUN, "--colour",
                     "size", "-o", "t.vtu")
         self.refuse(2, "--surface boundary has the colours of its seam", *RUN, "--colour", "size", "--surface", "boundary",
