@@ -128,7 +128,7 @@ def fixed_text(draw, unit, may_be_bad):
 
 
 def inclusion_text(draw, unit, may_be_bad):
-    """The text of a file of shapes, which may overlap, and its tags."""
+    """The text of a file of shapes, which may overlap or lie inside of each other, and its tags."""
     lines, tags = [], []
     for _ in range(draw.choice((1, 1, 2, 3, 5))):
         tag = draw.choice(TAGS)
@@ -139,6 +139,9 @@ def inclusion_text(draw, unit, may_be_bad):
             f"ellipse {tag} {row((x, y, r, r / 3, 30))}",
             f"polygon {tag} {row((x, y, x + r, y, x + r, y + r, x, y + r))}",
             f"polygon {tag} {row((x, y, x + r, y, x + r / 3, y + r))}")))
+        if lines[-1].startswith("circle") and draw.random() < 0.2:
+            tags.append(draw.choice(TAGS))
+            lines.append(f"circle {tags[-1]} {row((x, y, 0.6 * r))}")
     if may_be_bad and draw.random() < 0.3:
         lines.append(draw.choice(("circle", "circle t 0.5 0.5 -1", "square t 0 0 1", "polygon t 0 0 1 1", "circle t 0 0 nan",
                                   "circle a:b 0.5 0.5 0.1", "ellipse t 0 0 0.1 0.1", "circle matrix 0.5 0.5 0.1")))
