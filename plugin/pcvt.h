@@ -114,7 +114,7 @@ enum { PCVT_CPE = 0, PCVT_CPS = 1, PCVT_C3D6 = 2, PCVT_C3D15 = 3 };
 /** Contents of .inp files besides the mesh: nothing, or materials and steps that CalculiX runs. */
 enum { PCVT_JOB_NONE = 0, PCVT_JOB_ELASTIC = 1 };
 
-/** Contents of .obj, .ply, .glb and .stl in three dimensions: every cell, or the boundary of the tile. */
+/** Contents of .obj, .ply, .glb and .stl in space: every cell, or the boundary of the tile. */
 enum { PCVT_SURFACE_CELLS = 0, PCVT_SURFACE_BOUNDARY = 1 };
 
 /** The quantity that the colours of a file show, CELLS: neighbours differ. */

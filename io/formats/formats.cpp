@@ -122,15 +122,7 @@ constexpr std::array<Format, 18> kFormats{{
      .states_materials = true,
      .states_orbits = true,
      .memory = {0, 2030, 540},
-     .space =
-         SpaceFormat{
-             .memory = 7900,
-             .takes = {.phases = true},
-             .encode_tetrahedra = space_rows::encode_entities,
-             .kind = space_rows::kind_where<SpaceFileKind::kTetrahedra, holds_msh_tetrahedra>,
-             .decode_tetrahedra = space_rows::decode_one<decode_msh_tetrahedra>,
-             .compare_tetrahedra = space_rows::compare_one<compare_msh_tetrahedra>,
-             .states_materials = true}},
+     .space = space_rows::kGmsh},
     {.extension = ".inp",
      .description = "Abaqus and CalculiX with *EQUATION, triangles, wedges or tetrahedra",
      .write = encode_inp,

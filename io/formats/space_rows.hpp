@@ -144,6 +144,15 @@ Kind surfaces_kind(const std::vector<EncodedFile>& files) {
     return are_cells ? SpaceFileKind::kPolyhedra : SpaceFileKind::kBoundary;
 }
 
+inline constexpr SpaceFormat kGmsh{
+    .memory = 7900,
+    .takes = {.phases = true},
+    .encode_tetrahedra = encode_entities,
+    .kind = kind_where<SpaceFileKind::kTetrahedra, holds_msh_tetrahedra>,
+    .decode_tetrahedra = decode_one<decode_msh_tetrahedra>,
+    .compare_tetrahedra = compare_one<compare_msh_tetrahedra>,
+    .states_materials = true};
+
 inline constexpr SpaceFormat kAbaqus{
     .memory = 9000,
     .takes = {.job = true, .constants = true, .phases = true, .orientations = true},

@@ -8,10 +8,10 @@ namespace pcvt::plane {
 
 using CentroidPathObjective = CentroidObjective<EnergyPass, PowerDiagram>;
 
-/// Minimises P along the path of the minima of P_c (centroid_objective.hpp), by Newton's steps in sites
-/// and weights at once. The distance of the centroids falls in proportion to c. It ends at the
-/// tolerance, or as stalled once the centroids no longer come nearer: then the sites are those of
-/// the last c, still apart.
+/// Minimises P along the path of the minima of P_c (centroid_objective.hpp), by Newton's steps in
+/// sites and weights at once. The distance of the centroids falls in proportion to c. It ends at
+/// the tolerance, or as stalled once the centroids no longer come nearer: then the sites are those
+/// of the last c, still apart.
 ///
 /// Example usage:
 ///
