@@ -49,6 +49,8 @@ CellSizes cell_sizes(const CellComplex& complex, double size) {
     const std::vector<CellBody> bodies = cell_bodies(complex);
     std::vector<double> volumes(bodies.size(), 0);
     for (int c = 0; c < complex.n_cells; ++c) volumes[complex.site_of(c)] += bodies[c].volume;
+    // In a thin piece that a box cuts off, larger tetrahedra could be flat.
+    const bool cuts = !complex.piece_cell.empty();
     CellSizes all;
     for (int c = 0; c < complex.n_cells; ++c) {
         const double edge = portable_cbrt(volumes[complex.site_of(c)]);
@@ -57,7 +59,8 @@ CellSizes cell_sizes(const CellComplex& complex, double size) {
             all.flat.push_back({c, degrees_between({wanted, 0, 0}, {wanted, width[c], 0})});
         }
         const double thin = kSizeInWidth * width[c];
-        all.sizes.push_back(thin < kLeastSize * wanted ? wanted : std::min(wanted, thin));
+        const bool is_too_thin = !cuts && thin < kLeastSize * wanted;
+        all.sizes.push_back(is_too_thin ? wanted : std::clamp(thin, kLeastSize * wanted, wanted));
     }
     return all;
 }

@@ -10,8 +10,8 @@ namespace pcvt::space {
 inline constexpr double kLargestSize = 0.7;
 /// The same over the width of the cell: one layer of larger tetrahedra has small angles.
 inline constexpr double kSizeInWidth = 2;
-/// The width makes the size smaller by this factor at most: flatter cells keep the size that they
-/// have without it, since a plate would take a thousand times as many tetrahedra.
+/// The width makes the size smaller by this factor at most: flatter whole cells keep the size that
+/// they have without it, since a plate would take a thousand times as many tetrahedra.
 inline constexpr double kLeastSize = 0.3;
 /// Cells narrower than this part of the wanted size are named.
 inline constexpr double kFlatWidth = 0.7;
