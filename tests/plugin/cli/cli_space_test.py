@@ -309,7 +309,7 @@ class Tetrahedra(CliTest):
                        "run of their own$", *run, "--mesh", "delaunay", "-o", "t.vtu", "-o", "t.foam")
         self.refuse(2, r"^pcvt: -o t\.msh: the format holds the tetrahedra of --mesh delaunay; leave --mesh out$",
                     *run, "--mesh", "voronoi", "-o", "t.msh")
-        self.refuse(2, r"^pcvt: -o t\.obj: the format holds no tetrahedra; take \.stl, \.msh, \.inp, \.vtu or \.foam", *run, "--mesh", "grains",
+        self.refuse(2, r"^pcvt: -o t\.obj: the format holds no tetrahedra; take \.msh, \.inp, \.vtu or \.foam", *run, "--mesh", "grains",
                     "-o", "t.obj")
         self.refuse(2, "^pcvt: --mesh: one mesh a run in three dimensions; remove one$", *run, "--mesh", "voronoi",
                     "--mesh", "delaunay", "-o", "t.vtu")
