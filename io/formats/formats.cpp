@@ -310,8 +310,9 @@ std::string space_extensions() {
 }
 
 std::string tetrahedra_extensions(plane::MeshKind mesh) {
-    return listed_extensions(
-        [mesh](const SpaceFormat& format) { return format.shows_tetrahedra(mesh); });
+    return listed_extensions([mesh](const SpaceFormat& format) {
+        return format.shows_tetrahedra(mesh) && !format.is_closed_surfaces;
+    });
 }
 
 std::string short_edges_extensions() {

@@ -184,10 +184,9 @@ static void each_field_of_files_in_the_plane_is_refused_by_its_name(void) {
     CHECK(pcvt_write(result, NULL, NULL) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_write(result, "", NULL) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_write(result, "refused.nc", NULL) == PCVT_ERROR_ARGUMENT);
-    CHECK(
-        strstr(pcvt_last_error(),
-               ".obj, .ply, .glb, .om, .msh, .inp, .vtu, .svg, .png, .foam, .vti, .csv or .txt") !=
-        NULL);
+    CHECK(strstr(pcvt_last_error(),
+                 ".obj, .ply, .glb, .om, .stl, .msh, .inp, .vtu, .svg, .png, .foam, .vti, .csv or "
+                 ".txt") != NULL);
     pcvt_free(result);
 }
 
@@ -224,7 +223,7 @@ static void surfaces_are_for_files_that_have_them(void) {
     CHECK(strstr(pcvt_last_error(), "surface 2 is unknown") != NULL);
     how.surface = PCVT_SURFACE_BOUNDARY;
     CHECK(pcvt_write(result, "refused.vtu", &how) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), "surface is for .obj, .ply or .glb") != NULL);
+    CHECK(strstr(pcvt_last_error(), "surface is for .obj, .ply, .glb or .stl") != NULL);
     CHECK(pcvt_write(result, "refused.xyz", &how) == PCVT_ERROR_ARGUMENT);
     CHECK(strncmp(pcvt_last_error(), "refused.xyz: unknown extension", 30) == 0);
     pcvt_free(result);
@@ -239,13 +238,12 @@ static void tetrahedra_are_for_files_that_hold_them(void) {
     CHECK(pcvt_write(result, "refused.vtu", &how) == PCVT_ERROR_ARGUMENT);
     CHECK(strstr(pcvt_last_error(), "take PCVT_VORONOI, PCVT_DELAUNAY or PCVT_GRAINS") != NULL);
     how.kind = PCVT_GRAINS;
-    CHECK(pcvt_write(result, "refused.foam", &how) == PCVT_ERROR_ARGUMENT);
+    CHECK(pcvt_write(result, "refused.obj", &how) == PCVT_ERROR_ARGUMENT);
     CHECK(pcvt_write(result, "grains.msh", &how) == PCVT_OK);
     CHECK(removes_file("grains.msh"));
     how.kind = PCVT_DELAUNAY;
     CHECK(pcvt_write(result, "refused.foam", &how) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), "the format holds no tetrahedra; take .msh, .inp or .vtu") !=
-          NULL);
+    CHECK(strstr(pcvt_last_error(), "the format holds no Delaunay tetrahedra; take .msh") != NULL);
     CHECK(pcvt_write(result, "tetrahedra.vtu", &how) == PCVT_OK);
     CHECK(removes_file("tetrahedra.vtu"));
     pcvt_free(result);

@@ -268,7 +268,7 @@ class Surfaces(CliTest):
 
     def test_refusals(self):
         run = ("mesh", "--sites", 8, *CUBE, "-o", "t.vtu")
-        self.refuse(2, r"^pcvt: --surface is for \.obj, \.ply or \.glb; add such a file with -o$", *run, "--surface", "cells")
+        self.refuse(2, r"^pcvt: --surface is for \.obj, \.ply, \.glb or \.stl; add such a file with -o$", *run, "--surface", "cells")
         self.refuse(2, r"--surface boundry: unknown; did you mean boundary\?", *run, "-o", "t.obj", "--surface", "boundry")
         self.refuse(2, r"^pcvt: --surface is for three dimensions", "mesh", "--sites", 8, "-o", "t.obj", "--surface", "cells")
         self.succeed("mesh", "--sites", 8, *CUBE, "--quiet", "--surface", "boundary", *self.FILES)
@@ -305,11 +305,11 @@ class Tetrahedra(CliTest):
 
     def test_mesh_names_what_the_files_hold(self):
         run = ("mesh", "--sites", 8, *CUBE)
-        self.refuse(2, r"^pcvt: -o t\.foam: the format holds no tetrahedra; take \.msh, \.inp or \.vtu, or write the cells in a "
+        self.refuse(2, r"^pcvt: -o t\.foam: the format holds no Delaunay tetrahedra; take \.msh, \.inp or \.vtu, or write the cells in a "
                        "run of their own$", *run, "--mesh", "delaunay", "-o", "t.vtu", "-o", "t.foam")
         self.refuse(2, r"^pcvt: -o t\.msh: the format holds the tetrahedra of --mesh delaunay; leave --mesh out$",
                     *run, "--mesh", "voronoi", "-o", "t.msh")
-        self.refuse(2, r"^pcvt: -o t\.obj: the format holds no tetrahedra; take \.msh, \.inp or \.vtu", *run, "--mesh", "grains",
+        self.refuse(2, r"^pcvt: -o t\.obj: the format holds no tetrahedra; take \.msh, \.inp, \.vtu or \.foam", *run, "--mesh", "grains",
                     "-o", "t.obj")
         self.refuse(2, "^pcvt: --mesh: one mesh a run in three dimensions; remove one$", *run, "--mesh", "voronoi",
                     "--mesh", "delaunay", "-o", "t.vtu")
@@ -446,7 +446,7 @@ class Refusals(CliTest):
 
     def test_formats_without_volumes(self):
         for extension in ("nc", "dxf", "html"):
-            self.refuse(2, rf"^pcvt: -o t\.{extension}: \.{extension} does not support three dimensions; take \.obj, \.ply, \.glb, \.om, "
+            self.refuse(2, rf"^pcvt: -o t\.{extension}: \.{extension} does not support three dimensions; take \.obj, \.ply, \.glb, \.om, \.stl, "
                            r"\.msh, \.inp, \.vtu, \.svg, \.png, \.foam, \.vti, \.csv or \.txt",
                         "mesh", "--sites", 8, *CUBE, "-o", f"t.{extension}")
 

@@ -291,7 +291,7 @@ class Refusals(CliTest):
 
     def test_formats_without_volumes(self):
         result = pcvt.space(3)
-        with self.assertRaisesRegex(pcvt.ArgumentError, "html does not support three dimensions; take .obj, .ply, .glb, .om, .msh, .inp, .vtu, .svg, .png, .foam, .vti, .csv or .txt"):
+        with self.assertRaisesRegex(pcvt.ArgumentError, "html does not support three dimensions; take .obj, .ply, .glb, .om, .stl, .msh, .inp, .vtu, .svg, .png, .foam, .vti, .csv or .txt"):
             result.write(self.path("t.html"))
 
 
