@@ -263,13 +263,15 @@ TEST(Svg, TheLegendIsNeverCutOff) {
                  {grid_tile(lattice, n, 1), triangle_grid_tile(lattice, n, 2),
                   grid_tile(lattice, 1, n), testing::grain_grid_tile(lattice, n, 2)}) {
                 const std::vector<double> densities{1e-7, 1234567, 1, 3.14159};
-                const CellMaterials phases{.phase_names = {"ferrite", "austenite"},
-                                           .site_phase = {0, 1, 0, 1, 0, 1, 0, 1, 0}};
+                const CellMaterials materials{
+                    .phase_names = {"ferrite", "austenite"},
+                    .site_phase = {0, 1, 0, 1, 0, 1, 0, 1, 0},
+                    .site_orientation = std::vector<BungeAngles>(16, {30, 40, 50})};
                 const std::vector<int> orbits{0, 1, 2, 3, 4, 5, 6};
                 for (const ColouringRow& row : kColourings) {
                     if (!row.in_plane) continue;
                     expect_text_inside(svg(tile, {.site_densities = densities,
-                                                  .materials = &phases,
+                                                  .materials = &materials,
                                                   .site_orbits = orbits,
                                                   .colouring = row.colouring}));
                 }

@@ -443,9 +443,9 @@ static void unknown_forms_of_files_are_refused(void) {
     CHECK(pcvt_write(result, "t.obj", &forms) == PCVT_ERROR_ARGUMENT);
     CHECK(strstr(pcvt_last_error(), "no output takes a thickness") != NULL);
     forms.thickness = 0;
-    forms.element = 2;
+    forms.element = 4;
     CHECK(pcvt_write(result, "t.inp", &forms) == PCVT_ERROR_ARGUMENT);
-    CHECK(strstr(pcvt_last_error(), "element 2") != NULL);
+    CHECK(strstr(pcvt_last_error(), "element 4") != NULL);
     forms.element = PCVT_CPE;
     forms.colour = 10;
     CHECK(pcvt_write(result, "t.svg", &forms) == PCVT_ERROR_ARGUMENT);
