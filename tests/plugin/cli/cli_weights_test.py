@@ -155,7 +155,7 @@ class Space(TableTest):
 
     def test_what_power_cells_lack_is_refused(self):
         for path in ("t.msh", "t.om"):
-            self.refuse(2, "cannot state the weights of power cells; take .obj, .ply, .glb, .vtu", *self.made, "-o", path)
+            self.refuse(2, "cannot state the weights of power cells; take .obj, .ply, .glb, .stl, .vtu", *self.made, "-o", path)
         self.refuse(2, "--short-edges does not work with --weights in space", *self.made, "--short-edges", 0.01, "-o",
                     "t.vtu")
         x, y, z, _ = map(float, self.path("b.csv").read_text().splitlines()[1].split(","))
