@@ -144,6 +144,9 @@ class Flattening {
                       "; write the file again with pcvt");
     }
 
+    /// Whether a node has the number; the nodes are numbered 1, 2, ...
+    bool is_number(int number) const { return number >= 1 && number <= std::ssize(file_.nodes); }
+
     void find_layer() {
         std::stable_sort(file_.nodes.begin(), file_.nodes.end(),
                          [](const auto& p, const auto& q) { return p.number < q.number; });
@@ -155,6 +158,9 @@ class Flattening {
         const NumberedItems::Triangle& first = file_.elements.front();
         const int n = static_cast<int>(file_.nodes.size());
         nodes_.order = first.nodes.size() == 15 ? 2 : 1;
+        for (const int number : first.nodes) {
+            if (!is_number(number)) refuse_element(first);
+        }
         nodes_.n_layer = first.nodes[3] - first.nodes[0];
         nodes_.n_corners = nodes_.order == 1 ? nodes_.n_layer : n - 2 * nodes_.n_layer;
         if (nodes_.n_layer < 1 || nodes_.n_corners < 1 || nodes_.n_corners > nodes_.n_layer ||
@@ -168,10 +174,10 @@ class Flattening {
         for (const std::size_t first : {std::size_t{0}, std::size_t{6}}) {
             if (first >= element.nodes.size()) break;
             for (std::size_t k = first; k < first + 3; ++k) {
-                const int v = element.nodes[k] - 1;
+                const int number = element.nodes[k];
                 const int most = first == 0 ? nodes_.n_corners : nodes_.n_layer;
-                if (v < 0 || v >= most) refuse_element(element);
-                triangle.push_back(v);
+                if (number < 1 || number > most) refuse_element(element);
+                triangle.push_back(number - 1);
             }
         }
         std::vector<int> wedge = nodes_.wedge(triangle);
@@ -212,7 +218,12 @@ class Flattening {
     void flatten_ties() {
         if (file_.ties.empty()) return;
         std::map<int, NumberedTie> ties;
-        for (const NumberedTie& tie : file_.ties) ties.emplace(tie.node - 1, tie);
+        for (const NumberedTie& tie : file_.ties) {
+            if (!is_number(tie.node) || !is_number(tie.master)) {
+                refuse(tie.line, "the tie is of a node that is missing");
+            }
+            ties.emplace(tie.node - 1, tie);
+        }
         file_.ties.clear();
         for (int node = 0; node < nodes_.n_nodes(); ++node) {
             const int v = nodes_.column(node);
