@@ -305,6 +305,13 @@ const Format* find_format(const std::string& path) {
     return found == kFormats.end() ? nullptr : &*found;
 }
 
+const Format* find_format(const std::vector<EncodedFile>& files) {
+    const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& format) {
+        return format.is_folder && format.space && format.space->kind(files);
+    });
+    return found == kFormats.end() ? find_format(files.front().path) : &*found;
+}
+
 std::string space_extensions() {
     return listed_extensions([](const SpaceFormat&) { return true; });
 }
@@ -335,9 +342,7 @@ std::string surface_extensions() {
 }
 
 std::optional<SpaceFileKind> space_file_kind(const std::vector<EncodedFile>& files) {
-    // A case is a folder, whose files have other extensions.
-    if (const auto kind = space_rows::case_kind(files)) return kind;
-    const Format* const format = find_format(files.front().path);
+    const Format* const format = find_format(files);
     const bool is_read = format != nullptr && format->space && format->space->kind != nullptr;
     return is_read ? format->space->kind(files) : std::nullopt;
 }

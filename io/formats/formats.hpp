@@ -201,6 +201,9 @@ TileFile decode_tile(const Format& format, const std::vector<EncodedFile>& files
 
 /// The row for the extension of `path` (case does not matter), nullptr if there is none.
 const Format* find_format(const std::string& path);
+/// The row of the format of these files: that of a folder by what they hold, any other by the
+/// extension of the first file. nullptr if there is none.
+const Format* find_format(const std::vector<EncodedFile>& files);
 
 /// Returns the extensions of formats that hold tiles in space: ".obj, .ply, ... or .txt".
 std::string space_extensions();

@@ -107,10 +107,8 @@ DecodedTile decode(const std::vector<EncodedFile>& files, double tolerance) {
 
 /// The materials that the files of a tile state.
 CellMaterials stated_materials(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
-    const Format* const format = find_format(files.front().path);
-    const bool states_them =
-        is_foam_of_polyhedra(files) || (format != nullptr && format->space->states_materials);
-    return states_them ? tile.materials : CellMaterials();
+    const Format* const format = find_format(files);
+    return format != nullptr && format->space->states_materials ? tile.materials : CellMaterials();
 }
 
 bool holds_same_boundary(const std::vector<EncodedFile>& files, const SpaceTile& tile) {
@@ -130,12 +128,6 @@ bool holds_same_cells(const std::vector<EncodedFile>& files, const SpaceTile& ti
            found.mesh.piece_cell == tile.mesh.piece_cell && found.sites == tile.sites &&
            found.mesh.point_orbit == tile.mesh.point_orbit &&
            found.mesh.point_offset == tile.mesh.point_offset;
-}
-
-/// The format of tetrahedra; a case is a folder, whose files have other extensions.
-const SpaceFormat& format_of_tetrahedra(const std::vector<EncodedFile>& files) {
-    return *find_format(is_foam_of_tetrahedra(files) ? foam_folder(files) : files.front().path)
-                ->space;
 }
 
 /// The part of the materials that a format of tetrahedra states.
@@ -239,7 +231,7 @@ void prove_own_space_files(const std::vector<EncodedFile>& files, const SpaceTil
 
 TetrahedralFileProof prove_tetrahedral_files(const std::vector<EncodedFile>& files,
                                              double tolerance) {
-    const SpaceFormat& format = format_of_tetrahedra(files);
+    const SpaceFormat& format = *find_format(files)->space;
     TetrahedralFileProof result{.tile = format.decode_tetrahedra(files, tolerance), .proof = {}};
     result.proof = prove_tetrahedra(result.tile.mesh, tolerance);
     format.compare_tetrahedra(files, result.tile, tolerance);
@@ -248,7 +240,7 @@ TetrahedralFileProof prove_tetrahedral_files(const std::vector<EncodedFile>& fil
 
 void prove_own_tetrahedra(const std::vector<EncodedFile>& files, const space::TetrahedralMesh& mesh,
                           const CellMaterials* materials) {
-    const SpaceFormat& format = format_of_tetrahedra(files);
+    const SpaceFormat& format = *find_format(files)->space;
     const std::string& path = files.front().path;
     try {
         if (format.is_closed_surfaces ? holds_same_surfaces(files.front(), mesh)

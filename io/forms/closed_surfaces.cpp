@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "io/forms/tetrahedra_contacts.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/disjoint_sets.hpp"
 #include "mesher/space/mesh/cell_faces.hpp"
@@ -70,35 +71,6 @@ std::vector<int> apices(const space::PolyhedralMesh& mesh) {
     return apex;
 }
 
-/// A side of a tetrahedron by its corners in rising order.
-struct Side {
-    Triangle corners;
-    int tetrahedron;
-    /// Counter-clockwise seen from outside of the tetrahedron.
-    Triangle triangle;
-};
-
-constexpr std::array<Triangle, 4> kSides{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
-
-std::vector<Side> sorted_sides(const space::TetrahedralMesh& mesh) {
-    std::vector<Side> sides;
-    sides.reserve(4 * mesh.tetrahedra.size());
-    for (int t = 0; t < mesh.n_tetrahedra(); ++t) {
-        checkpoint_each(t);
-        for (const Triangle& side : kSides) {
-            const std::array<int, 4>& v = mesh.tetrahedra[t];
-            const Triangle triangle{v[side[0]], v[side[1]], v[side[2]]};
-            Triangle corners = triangle;
-            std::sort(corners.begin(), corners.end());
-            sides.push_back({corners, t, triangle});
-        }
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
-        return std::tie(s.corners, s.tetrahedron) < std::tie(t.corners, t.tetrahedron);
-    });
-    return sides;
-}
-
 }  // namespace
 
 ClosedSurfaces closed_surfaces(const space::PolyhedralMesh& mesh, SurfaceForm form) {
@@ -124,14 +96,14 @@ ClosedSurfaces closed_surfaces(const space::PolyhedralMesh& mesh, SurfaceForm fo
 ClosedSurfaces closed_surfaces(const space::TetrahedralMesh& mesh, SurfaceForm form) {
     // The tetrahedra of a cell that share sides fill one of its pieces.
     DisjointSets pieces(mesh.n_tetrahedra());
-    const std::vector<Side> sides = sorted_sides(mesh);
-    std::vector<Side> outer;
+    const std::vector<TetrahedronSide> sides = sorted_sides(mesh);
+    std::vector<TetrahedronSide> outer;
     for (std::size_t k = 0; k < sides.size();) {
-        const bool is_inner = k + 1 < sides.size() && sides[k + 1].corners == sides[k].corners;
-        const int t = sides[k].tetrahedron;
+        const bool is_inner = k + 1 < sides.size() && sides[k + 1].points == sides[k].points;
+        const int t = sides[k].tetrahedron();
         if (!is_inner) {
             outer.push_back(sides[k]);
-        } else if (const int u = sides[k + 1].tetrahedron; mesh.cell[t] == mesh.cell[u]) {
+        } else if (const int u = sides[k + 1].tetrahedron(); mesh.cell[t] == mesh.cell[u]) {
             pieces.unite(t, u);
         } else if (form == SurfaceForm::kCells) {
             outer.push_back(sides[k]);
@@ -140,14 +112,18 @@ ClosedSurfaces closed_surfaces(const space::TetrahedralMesh& mesh, SurfaceForm f
         k += is_inner ? 2 : 1;
     }
     // Tetrahedra come cell by cell, so the first ones of pieces do as well.
-    const auto key = [&](const Side& side) {
-        const int piece = form == SurfaceForm::kCells ? pieces.find(side.tetrahedron) : 0;
-        return std::tuple(piece, side.tetrahedron, side.corners);
+    const auto key = [&](const TetrahedronSide& side) {
+        const int t = side.tetrahedron();
+        return std::tuple(form == SurfaceForm::kCells ? pieces.find(t) : 0, t, side.points);
     };
     std::sort(outer.begin(), outer.end(),
-              [&](const Side& s, const Side& t) { return key(s) < key(t); });
+              [&](const auto& s, const auto& t) { return key(s) < key(t); });
     ClosedSurfaces surfaces{.form = form, .lattice = mesh.lattice, .points = mesh.points};
-    for (const Side& side : outer) surfaces.triangles.push_back(side.triangle);
+    for (const TetrahedronSide& side : outer) {
+        const std::array<int, 4>& corners = mesh.tetrahedra[side.tetrahedron()];
+        const Triangle& order = space::kOutwardSides[side.apex()];
+        surfaces.triangles.push_back({corners[order[0]], corners[order[1]], corners[order[2]]});
+    }
     return surfaces;
 }
 

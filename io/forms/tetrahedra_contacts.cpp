@@ -10,13 +10,6 @@
 namespace pcvt {
 namespace {
 
-/// A side of a tetrahedron: its points by rising numbers, and 4 t + k opposite to corner k.
-struct TetrahedronSide {
-    std::array<int, 3> points;
-    int place;
-    friend auto operator<=>(const TetrahedronSide&, const TetrahedronSide&) = default;
-};
-
 /// A side on the boundary of the tile: its images of nodes, the first of which has the offset 0.
 struct SeamSide {
     std::array<space::Corner, 3> corners;
@@ -42,17 +35,7 @@ SeamSide seam_side(const space::TetrahedralMesh& mesh, const TetrahedronSide& si
 /// The triangles inside of the tile; adds the sides that no other side meets there.
 std::vector<SharedTriangle> inner_triangles(const space::TetrahedralMesh& mesh,
                                             std::vector<SeamSide>& on_seam) {
-    std::vector<TetrahedronSide> sides;
-    sides.reserve(4 * mesh.tetrahedra.size());
-    for (const std::array<int, 4>& corners : mesh.tetrahedra) {
-        for (std::size_t k = 0; k < 4; ++k) {
-            TetrahedronSide side{{corners[(k + 1) % 4], corners[(k + 2) % 4], corners[(k + 3) % 4]},
-                                 static_cast<int>(sides.size())};
-            std::sort(side.points.begin(), side.points.end());
-            sides.push_back(side);
-        }
-    }
-    cancellable_sort(sides.begin(), sides.end());
+    const std::vector<TetrahedronSide> sides = sorted_sides(mesh);
     std::vector<SharedTriangle> triangles;
     for (std::size_t k = 0; k < sides.size(); ++k) {
         if (k + 1 < sides.size() && sides[k].points == sides[k + 1].points) {
@@ -142,6 +125,21 @@ class CellCount {
 };
 
 }  // namespace
+
+std::vector<TetrahedronSide> sorted_sides(const space::TetrahedralMesh& mesh) {
+    std::vector<TetrahedronSide> sides;
+    sides.reserve(4 * mesh.tetrahedra.size());
+    for (const std::array<int, 4>& corners : mesh.tetrahedra) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            TetrahedronSide side{{corners[(k + 1) % 4], corners[(k + 2) % 4], corners[(k + 3) % 4]},
+                                 static_cast<int>(sides.size())};
+            std::sort(side.points.begin(), side.points.end());
+            sides.push_back(side);
+        }
+    }
+    cancellable_sort(sides.begin(), sides.end());
+    return sides;
+}
 
 bool is_on_side(std::size_t k, int apex) {
     if (k < 4) return static_cast<int>(k) != apex;

@@ -7,6 +7,22 @@
 
 namespace pcvt {
 
+/// A side of a tetrahedron.
+struct TetrahedronSide {
+    /// By rising numbers.
+    std::array<int, 3> points;
+    /// 4 t + k: opposite to corner k of tetrahedron t.
+    int place;
+
+    int tetrahedron() const { return place / 4; }
+    int apex() const { return place % 4; }
+    friend auto operator<=>(const TetrahedronSide&, const TetrahedronSide&) = default;
+};
+
+/// Returns the four sides of each tetrahedron, in an order in which the two that have the same
+/// points follow each other.
+std::vector<TetrahedronSide> sorted_sides(const space::TetrahedralMesh& mesh);
+
 /// A triangle on both of its tetrahedra.
 struct SharedTriangle {
     std::array<int, 2> tetrahedra;

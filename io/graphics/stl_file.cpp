@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/bytes/bad_file.hpp"
+#include "io/bytes/little_endian.hpp"
 #include "io/bytes/output_error.hpp"
 #include "io/bytes/text.hpp"
 #include "mesher/base/checkpoint.hpp"
@@ -26,20 +27,12 @@ constexpr const char* kPeriods = ", periods";
 
 using Corners = std::array<Eigen::Vector3f, 3>;
 
-void append_word(std::string& bytes, std::uint32_t word) {
-    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
-}
-
 void append_vector(std::string& bytes, const Eigen::Vector3f& vector) {
-    for (const float x : vector) append_word(bytes, std::bit_cast<std::uint32_t>(x));
+    for (const float x : vector) append_little_endian(bytes, std::bit_cast<std::uint32_t>(x), 4);
 }
 
 std::uint32_t word_at(const std::string& bytes, std::size_t at) {
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-        word |= std::uint32_t{static_cast<unsigned char>(bytes[at + k])} << (8 * k);
-    }
-    return word;
+    return static_cast<std::uint32_t>(little_endian(std::string_view(bytes).substr(at, 4)));
 }
 
 /// Reads three floats; 0 in place of -0.
@@ -129,7 +122,7 @@ std::vector<StlFacet> stl_facets(const ClosedSurfaces& surfaces) {
 std::vector<EncodedFile> encode_stl(const StlFile& stl, const std::string& path) {
     std::string bytes = stl.header;
     bytes.resize(kHeaderBytes, ' ');
-    append_word(bytes, static_cast<std::uint32_t>(stl.facets.size()));
+    append_little_endian(bytes, stl.facets.size(), 4);
     bytes.reserve(bytes.size() + kFacetBytes * stl.facets.size());
     for (const StlFacet& facet : stl.facets) {
         append_vector(bytes, facet.normal);

@@ -23,15 +23,11 @@ namespace {
 
 constexpr const char* kKind = "tetrahedra";
 
-/// The corners of the faces of a tetrahedron, counter-clockwise seen from outside.
-constexpr std::array<std::array<int, 3>, 4> kFaceCorners{
-    {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
-
 space::PolyhedralMesh polyhedra_of(const space::TetrahedralMesh& mesh) {
     space::PolyhedronList list;
     list.points = mesh.points;
     for (const std::array<int, 4>& corners : mesh.tetrahedra) {
-        for (const std::array<int, 3>& face : kFaceCorners) {
+        for (const std::array<int, 3>& face : space::kOutwardSides) {
             list.faces.add(std::array{corners[face[0]], corners[face[1]], corners[face[2]]});
         }
         list.cell_begin.push_back(list.faces.n_faces());

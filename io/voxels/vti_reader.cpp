@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "io/bytes/little_endian.hpp"
 #include "io/bytes/text.hpp"
 #include "io/bytes/xml_scanner.hpp"
 #include "io/voxels/cell_fields.hpp"

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "io/bytes/base64.hpp"
+#include "io/bytes/little_endian.hpp"
 #include "io/bytes/text.hpp"
 #include "io/voxels/damask_material.hpp"
 #include "io/voxels/zlib_blocks.hpp"
@@ -16,10 +17,6 @@ namespace {
 
 /// Bytes of a block before its compression, some milliseconds of work.
 constexpr std::size_t kBlockSize = std::size_t{1} << 18;
-
-void append_little_endian(std::string& bytes, std::uint64_t value, int n_bytes) {
-    for (int k = 0; k < n_bytes; ++k) bytes += static_cast<char>(value >> 8 * k & 0xff);
-}
 
 void append_in_base64(std::string& text, const std::string& bytes) {
     append_base64(text, std::vector<unsigned char>(bytes.begin(), bytes.end()));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/bytes/base64.hpp"
+#include "io/bytes/little_endian.hpp"
 #include "io/voxels/zlib_blocks.hpp"
 #include "mesher/base/checkpoint.hpp"
 
@@ -57,14 +58,6 @@ bool unpack(std::string_view text, std::size_t header_size, std::size_t n_bytes,
 }
 
 }  // namespace
-
-std::uint64_t little_endian(std::string_view bytes) {
-    std::uint64_t value = 0;
-    for (std::size_t k = 0; k < bytes.size(); ++k) {
-        value |= std::uint64_t{static_cast<unsigned char>(bytes[k])} << 8 * k;
-    }
-    return value;
-}
 
 bool decode_vtk_array(std::string_view text, const VtkArrayForm& form, std::size_t n_bytes,
                       std::string& bytes) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -28,8 +27,5 @@ struct VtkArrayForm {
 /// @returns whether the text is such an array of `n_bytes` bytes.
 bool decode_vtk_array(std::string_view text, const VtkArrayForm& form, std::size_t n_bytes,
                       std::string& bytes);
-
-/// The unsigned number of at most 8 bytes.
-std::uint64_t little_endian(std::string_view bytes);
 
 }  // namespace pcvt

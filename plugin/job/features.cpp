@@ -293,7 +293,10 @@ constexpr std::array kFeatures{
                .fields = "thickness",
                .is_chosen = [](const Job& job) { return job.file_options.thickness != 0; },
                .in_files = "a thickness",
-               .taken = takes<&FormatChoices::thickness>},
+               .taken = takes<&FormatChoices::thickness>,
+               .held = [](const Format& format,
+                          const FileOptions& options) { return format.holds_thickness(options); },
+               .held_by = "take the elements C3D6 or C3D15 of .inp"},
     FeatureRow{
         .feature = F::kSurface,
         .option = "--surface",

@@ -101,6 +101,10 @@ struct FeatureRow {
     const char* in_files = nullptr;
     /// Whether a format holds it, in the plane or in space; null for no part of files.
     bool (*taken)(const Format& format, bool in_space) = nullptr;
+    /// Whether the files of a format that takes it hold it with these options; null: always.
+    bool (*held)(const Format& format, const FileOptions& options) = nullptr;
+    /// The choice by which such files hold it, for the message that none does.
+    const char* held_by = nullptr;
 };
 
 /// In the order of the enumerators.

@@ -151,23 +151,22 @@ void check_file_options(const Job& job, const std::vector<JobFile>& files,
     }
     for (const FeatureRow& feature : features()) {
         if (feature.in_files == nullptr || files.empty() || !feature.is_chosen(job)) continue;
-        // Files for cutters have no colours and no background.
-        const bool taken = std::any_of(files.begin(), files.end(), [&](const JobFile& file) {
+        const auto is_taken = [&](const JobFile& file) {
+            return feature.taken(*file.format, job.is_in_space());
+        };
+        const auto is_held = [&](const JobFile& file) {
+            // Files for cutters have no colours and no background.
             const bool is_cut = cut_width != 0 && file.format->takes.cut_width;
-            if (feature.feature == Feature::kThickness)
-                return file.format->holds_thickness(job.file_options);
-            return feature.taken(*file.format, job.is_in_space()) &&
-                   (!is_cut || feature.feature == Feature::kCut);
-        });
-        if (taken) continue;
-        const bool is_flat = feature.feature == Feature::kThickness &&
-                             std::any_of(files.begin(), files.end(), [](const JobFile& file) {
-                                 return file.format->takes.thickness;
-                             });
+            return is_taken(file) && (!is_cut || feature.feature == Feature::kCut) &&
+                   (feature.held == nullptr || feature.held(*file.format, job.file_options));
+        };
+        if (std::any_of(files.begin(), files.end(), is_held)) continue;
+        const bool may_hold =
+            feature.held != nullptr && std::any_of(files.begin(), files.end(), is_taken);
         throw InvalidInput(
             std::string("no output takes ") + feature.in_files + "; " +
-            (is_flat ? "take the elements C3D6 or C3D15 of .inp"
-                     : "add one of " + extensions_that_take(feature, job.is_in_space())) +
+            (may_hold ? feature.held_by
+                      : "add one of " + extensions_that_take(feature, job.is_in_space())) +
             ", or leave the option out");
     }
     check_constants(job, files, phases);

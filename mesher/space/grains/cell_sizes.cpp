@@ -50,7 +50,7 @@ CellSizes cell_sizes(const CellComplex& complex, double size) {
     std::vector<double> volumes(bodies.size(), 0);
     for (int c = 0; c < complex.n_cells; ++c) volumes[complex.site_of(c)] += bodies[c].volume;
     // In a thin piece that a box cuts off, larger tetrahedra could be flat.
-    const bool cuts = !complex.piece_cell.empty();
+    const bool are_cut = !complex.piece_cell.empty();
     CellSizes all;
     for (int c = 0; c < complex.n_cells; ++c) {
         const double edge = portable_cbrt(volumes[complex.site_of(c)]);
@@ -59,7 +59,7 @@ CellSizes cell_sizes(const CellComplex& complex, double size) {
             all.flat.push_back({c, degrees_between({wanted, 0, 0}, {wanted, width[c], 0})});
         }
         const double thin = kSizeInWidth * width[c];
-        const bool is_too_thin = !cuts && thin < kLeastSize * wanted;
+        const bool is_too_thin = !are_cut && thin < kLeastSize * wanted;
         all.sizes.push_back(is_too_thin ? wanted : std::clamp(thin, kLeastSize * wanted, wanted));
     }
     return all;

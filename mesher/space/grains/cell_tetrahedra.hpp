@@ -8,6 +8,7 @@
 
 #include "mesher/space/grains/cell_hull.hpp"
 #include "mesher/space/grains/tetrahedron_shape.hpp"
+#include "mesher/space/mesh/tetrahedral_mesh.hpp"
 
 namespace pcvt::space {
 
@@ -73,7 +74,7 @@ class CellTetrahedra {
     /// The triangle opposite to corner k, counter-clockwise seen from outside.
     ThreeCorners triangle(int t, int k) const {
         const FourCorners& c = corners_[t];
-        const std::array<int, 3>& order = kOutward[k];
+        const std::array<int, 3>& order = kOutwardSides[k];
         return {c[order[0]], c[order[1]], c[order[2]]};
     }
     /// Whether the volume is so small over the longest edge that proofs would refuse it.
@@ -127,8 +128,6 @@ class CellTetrahedra {
     std::vector<char>& marks() const { return marks_; }
 
    private:
-    static constexpr std::array<std::array<int, 3>, 4> kOutward{
-        {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
     /// One side of a triangle while the tetrahedra of a replacement are linked.
     struct Side {
         int a, b, c;

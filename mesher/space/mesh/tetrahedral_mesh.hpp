@@ -7,6 +7,11 @@
 
 namespace pcvt::space {
 
+/// The corners of the side of a tetrahedron opposite to each of its corners, counter-clockwise seen
+/// from outside.
+inline constexpr std::array<std::array<int, 3>, 4> kOutwardSides{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
 /// A tile of the Delaunay tetrahedra of the 3-torus, or of tetrahedra inside of cells: one image of
 /// each tetrahedron, on images of the sites, or of nodes in their place.
 ///

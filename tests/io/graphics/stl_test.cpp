@@ -8,6 +8,7 @@
 #include "io/bytes/output_error.hpp"
 #include "io/graphics/stl_proof.hpp"
 #include "mesher/base/law_violation.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/space_tiles.hpp"
 #include "tests/support/tetrahedra_files.hpp"
 
@@ -15,17 +16,6 @@ namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
-
-/// The message of whatever refuses a file; empty if nothing does.
-template <class Prove>
-std::string refusal_in(const Prove& prove) {
-    try {
-        prove();
-    } catch (const InvalidInput& fault) {
-        return fault.what();
-    }
-    return "";
-}
 
 EncodedFile stl_of(const ClosedSurfaces& surfaces) { return encode_stl(surfaces, "t.stl").front(); }
 
@@ -38,7 +28,7 @@ template <class Change>
 std::string fault_of(const Change& change) {
     StlFile stl = decode_stl(stl_of(random_surfaces()));
     change(stl);
-    return refusal_in([&] { prove_stl(encode_stl(stl, "t.stl").front()); });
+    return testing::refusal_of([&] { prove_stl(encode_stl(stl, "t.stl").front()); });
 }
 
 /// Of the sides of faces by their three corners, in rising order, how often each occurs.
@@ -169,16 +159,16 @@ TEST(Stl, DamagedFilesAreRefusedByName) {
     const EncodedFile file = stl_of(random_surfaces());
     EncodedFile damaged = file;
     damaged.bytes.pop_back();
-    EXPECT_THAT(refusal_in([&] { prove_stl(damaged); }),
+    EXPECT_THAT(testing::refusal_of([&] { prove_stl(damaged); }),
                 HasSubstr("t.stl: not a whole binary STL"));
     damaged.bytes = "solid cells\nendsolid\n";
-    EXPECT_THAT(refusal_in([&] { prove_stl(damaged); }), HasSubstr("an STL in ASCII"));
+    EXPECT_THAT(testing::refusal_of([&] { prove_stl(damaged); }), HasSubstr("an STL in ASCII"));
     damaged.bytes = file.bytes;
     damaged.bytes.replace(84 + 12, 4, "\xff\xff\xff\x7f");
-    EXPECT_THAT(refusal_in([&] { prove_stl(damaged); }), HasSubstr("not finite"));
+    EXPECT_THAT(testing::refusal_of([&] { prove_stl(damaged); }), HasSubstr("not finite"));
     damaged.bytes = file.bytes;
     damaged.bytes[84 + 48] = 1;
-    EXPECT_THAT(refusal_in([&] { prove_stl(damaged); }), HasSubstr("attributes"));
+    EXPECT_THAT(testing::refusal_of([&] { prove_stl(damaged); }), HasSubstr("attributes"));
 }
 
 TEST(Stl, SinglePrecisionThatMergesOrTurnsIsRefused) {

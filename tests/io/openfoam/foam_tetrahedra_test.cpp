@@ -9,6 +9,7 @@
 #include "io/openfoam/foam_writer.hpp"
 #include "mesher/base/law_violation.hpp"
 #include "tests/support/damaged_text.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/space_tiles.hpp"
 #include "tests/support/tetrahedra_files.hpp"
 
@@ -16,17 +17,6 @@ namespace pcvt {
 namespace {
 
 using ::testing::HasSubstr;
-
-/// The message of whatever refuses a file; empty if nothing does.
-template <class Prove>
-std::string refusal_in(const Prove& prove) {
-    try {
-        prove();
-    } catch (const InvalidInput& fault) {
-        return fault.what();
-    }
-    return "";
-}
 
 std::vector<EncodedFile> case_of(const space::TetrahedralMesh& mesh) {
     const CellMaterials materials = testing::some_materials(mesh.cell.back() + 1);
@@ -36,7 +26,7 @@ std::vector<EncodedFile> case_of(const space::TetrahedralMesh& mesh) {
 /// The message of the proof of a case with one exchanged piece.
 std::string fault_of(const std::string& name, const std::string& piece, const std::string& other) {
     static const std::vector<EncodedFile> files = case_of(testing::grain_tetrahedra(3));
-    return refusal_in(
+    return testing::refusal_of(
         [&] { prove_tetrahedral_files(testing::exchanged(files, name, piece, other)); });
 }
 

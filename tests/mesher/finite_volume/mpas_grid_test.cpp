@@ -9,6 +9,7 @@
 #include "mesher/plane/cvt/cvt.hpp"
 #include "mesher/plane/mesh/voronoi.hpp"
 #include "tests/support/hexagons.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pcvt {
 namespace {
@@ -24,12 +25,7 @@ plane::PeriodicMesh optimized_cells(const plane::Lattice& lattice, int n, std::u
 }
 
 std::string fault_of(const plane::PeriodicMesh& cells) {
-    try {
-        mpas_grid(cells, plane::Vec2(0, 0));
-    } catch (const InvalidInput& fault) {
-        return fault.what();
-    }
-    return "";
+    return testing::refusal_of([&] { mpas_grid(cells, plane::Vec2(0, 0)); });
 }
 
 TEST(MpasGrid, ItsLawsHoldOnRegularAndOnOptimisedCells) {

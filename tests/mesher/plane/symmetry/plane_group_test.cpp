@@ -8,6 +8,7 @@
 
 #include "mesher/base/error.hpp"
 #include "mesher/plane/symmetry/special_positions.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/symmetry.hpp"
 
 namespace pcvt::plane {
@@ -126,12 +127,7 @@ TEST(PlaneGroup, OfAChannelMirrorsInItsWalls) {
 }
 
 std::string refusal(PlaneGroupName name, const Lattice& lattice) {
-    try {
-        const PlaneGroup group(name, lattice);
-    } catch (const InvalidInput& error) {
-        return error.what();
-    }
-    return "";
+    return testing::refusal_of([&] { const PlaneGroup group(name, lattice); });
 }
 
 TEST(PlaneGroup, NamesTheLatticesThatFit) {
@@ -173,13 +169,8 @@ TEST(OrbitPlan, OccupiesCentresOfTheHighestOrderFirst) {
 TEST(OrbitPlan, NamesTheNearestNumbers) {
     const PlaneGroup group(PlaneGroupName::kPg, Lattice::rectangle(1, 2));
     const SpecialPositions special = special_positions(group);
-    const auto message = [&](int n) -> std::string {
-        try {
-            distribute(group, special, n);
-        } catch (const InvalidInput& error) {
-            return error.what();
-        }
-        return "";
+    const auto message = [&](int n) {
+        return testing::refusal_of([&] { distribute(group, special, n); });
     };
     EXPECT_THAT(message(7), HasSubstr("take 6 or 8"));
     EXPECT_THAT(message(1), HasSubstr("take 2"));

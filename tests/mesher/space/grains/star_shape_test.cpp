@@ -13,7 +13,8 @@
 namespace pcvt::space {
 namespace {
 
-/// @param n_near  so many points of the hull count as near to a sharp feature.
+/// @param n_near  number of points of the hull, the first ones, that count as near to a sharp
+///     feature.
 CellTetrahedra random_cell(std::uint64_t seed, int n_near = 0) {
     const Lattice cube = Lattice::box(1, 1, 1);
     const CellComplex complex =
