@@ -5,30 +5,44 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 
 #include "io/bytes/bad_file.hpp"
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/base/law_violation.hpp"
+#include "mesher/torus/coincident_sites.hpp"
 
 namespace pcvt {
 namespace {
 
 constexpr double kSingleEpsilon = std::numeric_limits<float>::epsilon();
 
-/// Numbers the corners of a file by their positions.
-std::vector<std::array<int, 3>> numbered_corners(const std::vector<StlFacet>& facets) {
+/// In the test of translations, corners nearer to each other than the first number of roundings of
+/// the largest coordinate are one; none may have a distance between both numbers.
+constexpr double kSame = 2;
+constexpr double kApart = 8;
+
+/// The corners of a file, numbered by their positions.
+struct NumberedCorners {
+    std::vector<std::array<int, 3>> of_facets = {};
+    std::vector<Eigen::Vector3f> positions = {};
+};
+
+NumberedCorners numbered_corners(const std::vector<StlFacet>& facets) {
     std::map<std::array<float, 3>, int> places;
-    std::vector<std::array<int, 3>> numbered;
-    numbered.reserve(facets.size());
+    NumberedCorners numbered;
+    numbered.of_facets.reserve(facets.size());
     for (const StlFacet& facet : facets) {
-        checkpoint_each(static_cast<long>(numbered.size()));
-        std::array<int, 3>& numbers = numbered.emplace_back();
+        checkpoint_each(static_cast<long>(numbered.of_facets.size()));
+        std::array<int, 3>& numbers = numbered.of_facets.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
             const Eigen::Vector3f& p = facet.corners[k];
-            numbers[k] = places.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(places.size()))
-                             .first->second;
+            const auto [place, is_new] =
+                places.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(places.size()));
+            if (is_new) numbered.positions.push_back(p);
+            numbers[k] = place->second;
         }
     }
     return numbered;
@@ -83,9 +97,56 @@ double largest_coordinate(const std::vector<StlFacet>& facets) {
     return largest;
 }
 
+/// Returns the first image of each corner by the translations of a lattice; nothing where distances
+/// leave open which corners are images of each other.
+/// @param rounding  that of the largest coordinate, length units.
+std::optional<std::vector<int>> orbits_of(const std::vector<Eigen::Vector3f>& corners,
+                                          const space::Lattice& lattice, double rounding) {
+    const space::Lattice reduced = space::reduce(lattice).reduced;
+    Eigen::Matrix3d periods;
+    for (int k = 0; k < 3; ++k) periods.col(k) = reduced.periods()[k];
+    space::Points coordinates(3, corners.size());
+    for (std::size_t v = 0; v < corners.size(); ++v) {
+        coordinates.col(static_cast<int>(v)) =
+            space::Lattice::wrapped(reduced.to_lattice(corners[v].cast<double>()));
+    }
+    const auto images = coincident_sites(coordinates, periods, kSame * rounding);
+    if (images != coincident_sites(coordinates, periods, kApart * rounding)) return std::nullopt;
+    std::vector<int> orbits(corners.size());
+    std::iota(orbits.begin(), orbits.end(), 0);
+    for (const CoincidentSite& image : images) orbits[image.site] = image.earlier;
+    return orbits;
+}
+
+/// Law (3). @returns whether it could be tested.
+bool prove_translations(const NumberedCorners& corners, const space::Lattice& lattice,
+                        double rounding) {
+    const auto orbits = orbits_of(corners.positions, lattice, rounding);
+    if (!orbits) return false;
+    // Of each triangle of orbits, how often it occurs with one orientation less the other, and one
+    // facet.
+    std::map<std::array<int, 3>, std::pair<int, std::size_t>> sums;
+    for (std::size_t k = 0; k < corners.of_facets.size(); ++k) {
+        checkpoint_each(static_cast<long>(k));
+        std::array<int, 3> t{};
+        for (std::size_t c = 0; c < 3; ++c) t[c] = (*orbits)[corners.of_facets[k][c]];
+        const bool is_even = (t[0] < t[1]) == ((t[1] < t[2]) == (t[0] < t[2]));
+        std::sort(t.begin(), t.end());
+        if (t[0] == t[1] || t[1] == t[2]) continue;
+        auto& [sum, facet] = sums.try_emplace(t, 0, k).first->second;
+        sum += is_even ? 1 : -1;
+    }
+    for (const auto& [triangle, count] : sums) {
+        if (count.first == 0) continue;
+        throw_violation("(3), periods", triangle_name(count.second) +
+                                            " has no partner by the periods in the header");
+    }
+    return true;
+}
+
 /// Laws (1) and (2) of the surfaces by themselves.
-StlProof prove_surfaces(const std::vector<StlFacet>& facets) {
-    const std::vector<std::array<int, 3>> corners = numbered_corners(facets);
+StlProof prove_surfaces(const std::vector<StlFacet>& facets,
+                        const std::vector<std::array<int, 3>>& corners) {
     StlProof proof{.n_triangles = static_cast<int>(facets.size())};
     EdgeBalance edges;
     Extent whole;
@@ -120,13 +181,16 @@ StlProof prove_surfaces(const std::vector<StlFacet>& facets) {
 
 StlProof prove_stl(const EncodedFile& file) {
     const StlFile stl = decode_stl(file);
-    StlProof proof = prove_surfaces(stl.facets);
+    const NumberedCorners corners = numbered_corners(stl.facets);
+    StlProof proof = prove_surfaces(stl.facets, corners.of_facets);
     if (const std::optional<space::Lattice> lattice = stl_lattice(stl)) {
         proof.has_periods = true;
         if (!(std::abs(proof.volume - lattice->volume()) <= proof.tolerance)) {
             throw_violation("(2), volumes", "they sum to " + std::to_string(proof.volume) +
                                                 ", not " + std::to_string(lattice->volume()));
         }
+        proof.repeats =
+            prove_translations(corners, *lattice, kSingleEpsilon * largest_coordinate(stl.facets));
     }
     if (stl_form(stl)) {
         StlFile own = stl;

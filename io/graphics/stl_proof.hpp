@@ -17,6 +17,8 @@ struct StlProof {
     double tolerance = 0;
     /// Whether the header states the periods, whose volume it is.
     bool has_periods = false;
+    /// Whether law (3) was tested, because single precision tells all images of corners apart.
+    bool repeats = false;
 };
 
 /// Proves what a binary STL holds:
@@ -24,9 +26,12 @@ struct StlProof {
 ///       occurs as often as its reverse.
 ///   (2) Each triangle has an area, and each surface encloses a positive volume. The volumes sum to
 ///       that of the period vectors, where the header states them.
-///   (3) A file whose header is that of pcvt is, byte for byte, the one that encode_stl() gives for
+///   (3) Where the header states period vectors, translations by them map each triangle to another
+///       one of the opposite orientation, or it occurs twice with both. This is tested where no two
+///       images of corners are so near that single precision might join them.
+///   (4) A file whose header is that of pcvt is, byte for byte, the one that encode_stl() gives for
 ///       its corners.
-/// An STL holds no cells, no sites and no pairs of the seam.
+/// An STL holds no cells, no sites and no unit.
 ///
 /// Example usage:
 ///     std::cout << prove_stl({"cells.stl", read_whole_file("cells.stl")}).n_surfaces;

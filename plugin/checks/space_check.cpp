@@ -100,8 +100,9 @@ std::string prove_closed(const EncodedFile& file) {
     return std::to_string(proof.n_triangles) + " triangles in " +
            counted(proof.n_surfaces, "surface") + ", each closed and oriented outwards, volume " +
            figure(proof.volume) + (proof.has_periods ? ", that of the periods in its header" : "") +
-           " (tolerance " + figure(proof.tolerance) +
-           "); not proved, because STL does not hold them: unit, cells, pairs of the seam";
+           " (tolerance " + figure(proof.tolerance) + ")" +
+           (proof.repeats ? ", translations by which map the boundary onto itself" : "") +
+           "; not proved, because STL does not hold them: unit, cells";
 }
 
 std::string prove_cells(const std::string& path, const std::vector<EncodedFile>& files,

@@ -37,6 +37,8 @@ std::span<const MutatedFormat> mutated_formats() {
                       harmless_in_space_glb()},
         MutatedFormat{"space_om", ".om", space_base_files, space_refusal, om_mutants,
                       harmless_in_space()},
+        MutatedFormat{"space_stl", ".stl", space_base_files, space_refusal, stl_mutants,
+                      harmless_in_stl()},
     };
     return kFormats;
 }

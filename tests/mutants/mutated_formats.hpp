@@ -73,6 +73,8 @@ std::vector<Mutant> gltf_mutants(const BaseFile& base);
 std::span<const Harmless> harmless_in_gltf();
 std::vector<Mutant> om_mutants(const BaseFile& base);
 std::span<const Harmless> harmless_in_om();
+std::vector<Mutant> stl_mutants(const BaseFile& base);
+std::span<const Harmless> harmless_in_stl();
 std::span<const Harmless> harmless_in_msh();
 std::span<const Harmless> harmless_in_inp();
 std::span<const Harmless> harmless_in_vtu();

@@ -17,8 +17,8 @@ class SpaceSurfaces(CliTest):
         self.assertIn("t.stl\n           STL states no unit and no cells; lengths are those of --period, rounded to 32 bits\n", said)
         proof = self.succeed("check", "t.stl")
         found = re.match(r"t\.stl: closed surfaces of triangles: (\d+) triangles in (\d+) surfaces?, each closed and oriented "
-                         r"outwards, volume 1, that of the periods in its header \(tolerance \S+\); not proved, because STL does "
-                         r"not hold them: unit, cells, pairs of the seam\n", proof)
+                         r"outwards, volume 1, that of the periods in its header \(tolerance \S+\), translations by which map the boundary "
+                         r"onto itself; not proved, because STL does not hold them: unit, cells\n", proof)
         self.assertEqual(self.path("t.stl").stat().st_size, 84 + 50 * int(found[1]))
         return int(found[1]), int(found[2])
 
