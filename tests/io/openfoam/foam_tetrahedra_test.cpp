@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <sstream>
 
 #include "io/openfoam/foam_writer.hpp"
@@ -73,11 +75,40 @@ TEST(FoamTetrahedra, HaveAZoneOfEachCellAndPhase) {
     }
 }
 
+/// The cells in a zone of a case.
+std::vector<int> members_of(const std::string& zones, const std::string& name) {
+    const std::size_t begin = zones.find('(', zones.find("\n" + name + "\n"));
+    std::istringstream numbers(zones.substr(begin + 1, zones.find(')', begin) - begin - 1));
+    return {std::istream_iterator<int>(numbers), std::istream_iterator<int>()};
+}
+
+TEST(FoamTetrahedra, ZonesHoldTheTetrahedraOfTheirCellsAndPhases) {
+    const space::TetrahedralMesh mesh = testing::grain_tetrahedra(3);
+    const CellMaterials materials{.phase_names = {"a", "b"}, .site_phase = {1, 0, 1}};
+    std::string zones;
+    for (const EncodedFile& file : encode_foam_tetrahedra(mesh, &materials, "t.foam")) {
+        if (file.path.ends_with("/cellZones")) zones = file.bytes;
+    }
+    std::array<std::vector<int>, 3> of_cells;
+    std::array<std::vector<int>, 2> of_phases;
+    for (int t = 0; t < mesh.n_tetrahedra(); ++t) {
+        of_cells[mesh.cell[t]].push_back(t);
+        of_phases[mesh.cell[t] == 1 ? 0 : 1].push_back(t);
+    }
+    for (std::size_t s = 0; s < 3; ++s) {
+        EXPECT_EQ(members_of(zones, "cell_" + std::to_string(s)), of_cells[s]);
+    }
+    EXPECT_EQ(members_of(zones, "phase_a"), of_phases[0]);
+    EXPECT_EQ(members_of(zones, "phase_b"), of_phases[1]);
+}
+
 TEST(FoamTetrahedra, OtherStatementsAreRefused) {
     EXPECT_EQ(fault_of("boundary", "FoamFile", "FoamFile"), "");
     EXPECT_THAT(fault_of("boundary", "// pcvt cell_tetrahedra ", "// pcvt cell_tetrahedra 1"),
                 HasSubstr("do not sum to"));
     EXPECT_THAT(fault_of("boundary", "// pcvt cell_tetrahedra ", "// pcvt cells "),
+                HasSubstr("do not sum to"));
+    EXPECT_THAT(fault_of("boundary", "// pcvt phases", "// pcvt cell_tetrahedra 1\n// pcvt phases"),
                 HasSubstr("do not sum to"));
     EXPECT_THAT(fault_of("boundary", "// pcvt lattice", "// lattice"),
                 HasSubstr("not one lattice"));

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <iterator>
 #include <map>
 #include <set>
@@ -16,6 +17,7 @@
 #include "tests/support/grid_tile.hpp"
 #include "tests/support/mutation.hpp"
 #include "tests/support/solver_tiles.hpp"
+#include "tests/support/walled_tiles.hpp"
 
 namespace pcvt {
 namespace {
@@ -166,6 +168,38 @@ TEST(InpWedges, SurfacesLieBetweenCellsAndBetweenPhases) {
     EXPECT_EQ(surface("PHASE_a_TO_b"), "1,S3\n1,S4\n2,S4\n2,S5\n");
     EXPECT_EQ(surface("PHASE_b_TO_a").size(), surface("PHASE_a_TO_b").size());
     EXPECT_EQ(surface("GRAIN_BOUNDARY_SIDES").size(), 2 * surface("PHASE_a_TO_b").size());
+}
+
+/// The nodes of each side of a wedge, as Abaqus numbers them.
+constexpr std::array<std::array<int, 4>, 3> kSideNodes{{{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}};
+
+TEST(InpWedges, SidesOnWallsStandAboveTheEdgesOfWalls) {
+    for (const plane::Tile& tile : testing::walled_tiles(Walls::kY)) {
+        if (tile.kind == plane::MeshKind::kVoronoi) continue;
+        const std::string text = wedges(tile);
+        std::map<int, std::vector<double>> nodes;
+        for (const auto& row : rows_of_card(text, "*NODE,")) nodes[static_cast<int>(row[0])] = row;
+        std::map<int, std::vector<double>> elements;
+        for (const auto& row : rows_of_card(text, "*ELEMENT,")) {
+            elements[static_cast<int>(row[0])] = row;
+        }
+        const std::string card = "*SURFACE,NAME=WALL_BOTTOM_SIDES,TYPE=ELEMENT\n";
+        ASSERT_THAT(text, HasSubstr(card));
+        std::istringstream sides(text.substr(text.find(card) + card.size()));
+        int element = 0;
+        char comma = 0;
+        char letter = 0;
+        int side = 0;
+        int n_sides = 0;
+        while (sides >> element >> comma >> letter >> side) {
+            ++n_sides;
+            ASSERT_TRUE(side >= 3 && side <= 5);
+            for (const int k : kSideNodes[side - 3]) {
+                EXPECT_EQ(nodes[static_cast<int>(elements[element][k + 1])][2], 0);
+            }
+        }
+        EXPECT_GT(n_sides, 0);
+    }
 }
 
 std::string fault_with(const std::string& piece, const std::string& other, int order = 1) {
