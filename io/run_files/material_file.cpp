@@ -68,6 +68,12 @@ ElasticConstants constants_of(const YamlValue& elastic) {
         throw InvalidInput("the elastic law " + in_quotes(type->text) +
                            " is not supported; take the type Hooke");
     }
+    // In braces a decimal comma ends an entry: {C_12: 60,5} is C_12: 60 and a key 5.
+    for (const auto& [key, value] : elastic.members) {
+        if (!value.text.empty() || value.is_mapping || value.is_list) continue;
+        throw InvalidInput("the key " + in_quotes(key) +
+                           " has no value; give it one, and write decimals with a point");
+    }
     for (const auto& keys : kKeys) {
         if (auto numbers = numbers_of(elastic, keys)) return checked_constants(std::move(*numbers));
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 
 #include "io/bytes/text.hpp"
 #include "io/formats/output_files.hpp"
@@ -216,6 +217,24 @@ std::string orientation_lines(const Job& job, const RunSummary& summary) {
                                           "; without a texture 40.7 and 62.8");
 }
 
+/// Phases whose stiffnesses differ by more than this may be given in different units.
+constexpr double kOneUnit = 1e3;
+
+/// The line on constants that differ so much that their units may differ; empty for others.
+std::string contrast_line(const RunSummary& summary) {
+    double least = std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (const NamedConstants& material : summary.constants) {
+        const double c44 = stiffness_of(material.constants).c44;
+        least = std::min(least, c44);
+        largest = std::max(largest, c44);
+    }
+    if (!(largest > kOneUnit * least)) return "";
+    return summary_line("contrast", "the materials differ by a factor of " +
+                                        figure(largest / least) +
+                                        " in C44; give all constants in one unit");
+}
+
 std::string material_lines(const Job& job, const RunSummary& summary) {
     const bool are_given = job.file_options.elastic.are_given();
     std::string text;
@@ -226,7 +245,7 @@ std::string material_lines(const Job& job, const RunSummary& summary) {
                                               : constants.is_isotropic() ? " (steel in MPa)"
                                                                          : " (iron in MPa)"));
     }
-    return text;
+    return text + contrast_line(summary);
 }
 
 std::string seed_text(const Job& job, const RunSummary& summary) {

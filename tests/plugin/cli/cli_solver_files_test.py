@@ -61,12 +61,18 @@ class MaterialFiles(CliTest):
         text = self.path("t.inp").read_text()
         self.assertIn("*MATERIAL,NAME=soft\n*ELASTIC,TYPE=ORTHO\n1.069e+11,6.05e+10,", text)
         self.assertIn("*MATERIAL,NAME=hard\n*ELASTIC\n2e+11,0.3\n", text)
-        self.succeed(*self.JOB, "--force", "--material", "metals.yaml", "--material", "hard:7,0.25")
+        self.assertNotIn("\ncontrast ", summary)
+        # Perhaps in GPa, where the file is in Pa.
+        summary = self.succeed(*self.JOB, "--force", "--material", "metals.yaml", "--material", "hard:7,0.25")
+        self.assertRegex(summary, r"\ncontrast   the materials differ by a factor of 1\.01\d*e\+10 in C44; give all constants in one unit")
         self.assertIn("*MATERIAL,NAME=hard\n*ELASTIC\n7.,0.25\n", self.path("t.inp").read_text())
 
     def test_faults_name_the_file_and_the_line(self):
         self.write("metals.yaml", self.METALS.replace("60.5e9", "sixty"))
         self.refuse(2, "metals.yaml:4: 'sixty' is not a number; ", *self.JOB, "--material", "metals.yaml")
+        self.write("metals.yaml", self.METALS.replace("60.5e9", "60,5e9"))
+        self.refuse(2, "metals.yaml:4: the key '5e9' has no value; give it one, and write decimals with a point", *self.JOB,
+                    "--material", "metals.yaml")
         self.write("two.yaml", self.METALS.replace("hard", "Hart"))
         self.refuse(2, "the phase hard has no elastic constants; .*the names in two.yaml: Soft, Hart", *self.JOB,
                     "--material", "two.yaml")
