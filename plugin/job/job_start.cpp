@@ -279,6 +279,7 @@ JobStart job_start(const Job& job, const ProgressCallback& callback) {
         (job.sizes && job.sizes->given.size() > 0) || !job.materials.site_phases.empty();
     if (job.n_given() > 0 || given) start.numbering = plane::Numbering::kAsGiven;
     start.areas = std::move(areas);
+    start.figures.start = row.start;
     return start;
 }
 
@@ -286,20 +287,18 @@ Start chosen_start(const Job& job) {
     if (job.start) return *job.start;
     const bool is_free = !job.has_inclusions() && job.n_fixed() == 0;
     if (!is_free) return Start::kRandom;
-    // Where a density jumps, the coarse cells miss detail, and the minima become higher. Coarse
-    // cells know nothing of prescribed areas.
-    const bool alike = !job.density && !job.sizes;
     // Where mirrors and centres bound an asymmetric unit with few sites, a coarse start may end
     // higher.
     const int order =
         job.symmetry ? plane::PlaneGroup(*job.symmetry, job.in_plane().lattice).order() : 1;
     const bool many = job.n_sites / order >= kFewestForCoarse;
-    const bool coarse = many && job.run.max_iterations != 0 && alike;
-    return coarse ? Start::kCoarse : Start::kRandom;
-}
-
-const char* start_name(const Job& job) {
-    return job.n_given() > 0 ? "file" : start_row(chosen_start(job)).word;
+    // Coarse cells know nothing of prescribed areas.
+    if (!many || job.run.max_iterations == 0 || job.sizes) return Start::kRandom;
+    // Where a density jumps, the coarse cells miss detail, and the minima become higher.
+    const bool is_resolved =
+        !job.density || plane::is_resolved_by_coarse_cells(job.in_plane().lattice, *job.density,
+                                                           job.n_sites / order);
+    return is_resolved ? Start::kCoarse : Start::kRandom;
 }
 
 }  // namespace pcvt

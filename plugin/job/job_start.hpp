@@ -70,10 +70,7 @@ void settle_duplicates(Job& job);
 JobStart job_start(const Job& job, const ProgressCallback& callback);
 
 /// The start of a job whose sites are not given: what it states, else coarse from 1000 sites on
-/// that are optimised and alike, else random.
+/// that are optimised, if coarse cells resolve its density and no sizes are prescribed, else random.
 Start chosen_start(const Job& job);
-
-/// The start of a job in reports: "file" if the user gave the sites, else its word.
-const char* start_name(const Job& job);
 
 }  // namespace pcvt

@@ -11,6 +11,9 @@
 namespace pcvt::plane {
 namespace {
 
+/// The largest change of ln rho across a coarsest cell that resolves it.
+constexpr double kMostChange = 3;
+
 /// The sites of the finer problem before they are shaken.
 struct Refined {
     /// Length units.
@@ -147,6 +150,12 @@ Points coarse_start(const Lattice& lattice, int n, std::uint64_t seed,
         fold_between_walls(lattice, walls, points);
     }
     return points;
+}
+
+bool is_resolved_by_coarse_cells(const Lattice& lattice, const Density& density, int n) {
+    const CoarseLevels levels(kLevelGrowth, {.n_orbits = n}, 0, {});
+    const double width = std::sqrt(lattice.area() / levels.n_coarsest());
+    return DensitySurvey(lattice, density, kSurveyResolution).steepest() * width < kMostChange;
 }
 
 }  // namespace pcvt::plane

@@ -1,6 +1,7 @@
 #include "mesher/plane/density/density_survey.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -81,6 +82,22 @@ double DensitySurvey::mean_root_squared() const {
     for (const double rho : rho_) sum += std::sqrt(rho);
     const double mean = sum / double(rho_.size());
     return mean * mean;
+}
+
+double DensitySurvey::steepest() const {
+    const std::array lengths{lattice_.a().norm() / resolution_, lattice_.b().norm() / resolution_};
+    const auto at = [&](int i, int j) {
+        return rho_[(j % resolution_) * resolution_ + i % resolution_];
+    };
+    double steepest = 0;
+    for (int j = 0; j < resolution_; ++j) {
+        for (int i = 0; i < resolution_; ++i) {
+            const double here = std::log(at(i, j));
+            steepest = std::max({steepest, std::abs(std::log(at(i + 1, j)) - here) / lengths[0],
+                                 std::abs(std::log(at(i, j + 1)) - here) / lengths[1]});
+        }
+    }
+    return steepest;
 }
 
 double DensitySurvey::majorant(int i, int j) const {

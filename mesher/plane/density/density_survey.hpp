@@ -30,6 +30,10 @@ class DensitySurvey {
     /// factor.
     double mean_root_squared() const;
 
+    /// The largest change of ln rho between neighbouring points of the grid over their distance,
+    /// 1 / length.
+    double steepest() const;
+
     /// Draws n sites from rho^(1/2), the site density that optimal cells tend to, by rejection
     /// under a majorant that is constant on each square of the grid. Where the grid misses a peak,
     /// fewer sites are drawn. The same seed gives the same sites on every machine.

@@ -121,6 +121,22 @@ TEST(CoarseStart, LeadsToLowerMinimaOfSmoothDensitiesToo) {
     EXPECT_LT(from_coarse.density->spacing_deviation, 0.02);
 }
 
+TEST(CoarseStart, CoarseCellsResolveDensitiesThatChangeSlowly) {
+    const Lattice unit = Lattice::rectangle(1, 1);
+    for (const double scale : {1.0, 1e-6, 1e6}) {
+        const Lattice lattice = Lattice::rectangle(scale, scale);
+        EXPECT_TRUE(is_resolved_by_coarse_cells(lattice, testing::smooth_density(), 1000));
+        EXPECT_FALSE(is_resolved_by_coarse_cells(lattice, testing::smooth_density(), 2));
+        // At most 28 periods^-1.
+        EXPECT_TRUE(is_resolved_by_coarse_cells(lattice, testing::ridge_density(), 4000));
+        EXPECT_FALSE(is_resolved_by_coarse_cells(lattice, testing::ridge_density(), 500));
+    }
+    EXPECT_FALSE(is_resolved_by_coarse_cells(unit, testing::ramp_density(), 100000));
+    // The coarsest cells are longer than the shorter period.
+    EXPECT_FALSE(
+        is_resolved_by_coarse_cells(Lattice::rectangle(100, 1), testing::smooth_density(), 1000));
+}
+
 TEST(CoarseStart, StopsWhenCancelled) {
     CoarseStartOptions options;
     int n_calls = 0;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/support/densities.hpp"
 #include "tests/support/lattices.hpp"
@@ -57,6 +58,19 @@ TEST(DensitySurvey, EstimatesTheScaleOfTheDensity) {
     EXPECT_GE(survey.unit(), 1e40);
     EXPECT_LE(survey.unit(), 2e40);
     EXPECT_NEAR(survey.mean_root_squared() / 1e40, 1, 1e-12);
+}
+
+TEST(DensitySurvey, SteepestChangeIsThatOfTheLogarithm) {
+    constexpr double kTurn = 2 * std::numbers::pi;
+    const auto steepest = [](const Lattice& lattice, const Density& density) {
+        return DensitySurvey(lattice, density, kSurveyResolution).steepest();
+    };
+    const Density smooth = testing::smooth_density();
+    EXPECT_NEAR(steepest(Lattice::rectangle(1, 4), smooth), kTurn, 1e-2);
+    EXPECT_NEAR(steepest(Lattice::rectangle(4, 0.5), smooth), kTurn / 0.5, 1e-2);
+    EXPECT_NEAR(steepest(Lattice({3, 4}, {-4, 3}), smooth), kTurn / 5, 1e-2);
+    // The jump at the seam.
+    EXPECT_GT(steepest(Lattice::rectangle(1, 1), testing::ramp_density()), 1000);
 }
 
 TEST(DensitySurvey, IntegratesSmoothDensitiesAndJumpsAtBreakLines) {
