@@ -9,6 +9,9 @@ namespace {
 /// The least volume of a new tetrahedron, times 6, over the cube of the longest edge of its
 /// triangle: 1e10 times the rounding.
 constexpr double kSeen = 1e-6;
+/// A cavity of more tetrahedra loses all unseen ones in one pass: in flat cells each sphere holds
+/// most of the cell.
+constexpr std::size_t kLarge = 200;
 
 }  // namespace
 
@@ -43,20 +46,21 @@ void Cavity::grow(int holder) {
 bool Cavity::shrink(int holder) {
     for (;;) {
         bool blocked = false;
-        const int unseen = find_unseen(holder, blocked);
+        const bool removed = remove_unseen(holder, blocked);
         if (blocked) return false;
-        if (unseen < 0) return true;
-        cell_.marks()[unseen] = 0;
+        if (!removed) return true;
         keep_component(holder);
     }
 }
 
-int Cavity::find_unseen(int holder, bool& blocked) {
+bool Cavity::remove_unseen(int holder, bool& blocked) {
+    std::vector<char>& marks = cell_.marks();
     boundary_.clear();
+    bool removed = false;
     for (const int t : inside_) {
         for (int k = 0; k < 4; ++k) {
             const int o = cell_.neighbour(t, k);
-            if (o >= 0 && cell_.marks()[o] != 0) continue;
+            if (o >= 0 && marks[o] != 0) continue;
             const ThreeCorners triangle = cell_.triangle(t, k);
             const Vec3& a = cell_.point(triangle[0]);
             const Vec3& b = cell_.point(triangle[1]);
@@ -65,12 +69,15 @@ int Cavity::find_unseen(int holder, bool& blocked) {
                 std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
             if (-volume6(a, b, c, x_) < kSeen * longest * std::sqrt(longest)) {
                 blocked = t == holder || o < 0;
-                return t;
+                marks[t] = 0;
+                removed = true;
+                break;
             }
             boundary_.push_back({triangle, o < 0});
         }
+        if (blocked || (removed && inside_.size() <= kLarge)) return true;
     }
-    return -1;
+    return removed;
 }
 
 void Cavity::keep_component(int holder) {
