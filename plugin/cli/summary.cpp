@@ -67,9 +67,10 @@ std::string energy_text(const Job& job, const RunSummary& summary) {
 /// The line of tetrahedra inside of cells.
 std::string space_grain_line(const SpaceGrainFigures& grains) {
     std::string text = std::to_string(grains.n_tetrahedra) + " tetrahedra on " +
-                       std::to_string(grains.n_points) + " points, dihedral angles from " +
-                       figure(grains.smallest_angle) + " to " + figure(grains.largest_angle) +
-                       " degrees";
+                       std::to_string(grains.n_points) + " points, ";
+    text += grains.smallest_angle ? "dihedral angles from " + figure(*grains.smallest_angle) +
+                                        " to " + figure(*grains.largest_angle) + " degrees"
+                                  : "each beside a sharp place, dihedral angles";
     if (grains.n_sharp > 0) {
         text += "; from " + figure(grains.smallest_sharp_angle) + " at " +
                 counted(grains.n_sharp, "sharp place") +

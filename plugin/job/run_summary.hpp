@@ -61,9 +61,10 @@ struct PolyhedraFigures {
 struct SpaceGrainFigures {
     int n_tetrahedra = 0;
     int n_points = 0;
-    /// Dihedral angles of the tetrahedra that touch no sharp feature of the cells, degrees.
-    double smallest_angle = 0;
-    double largest_angle = 0;
+    /// Dihedral angles of the tetrahedra that touch no sharp feature of the cells, degrees; nothing
+    /// where each touches one.
+    std::optional<double> smallest_angle = {};
+    std::optional<double> largest_angle = {};
     /// The corners of faces and the edges of cells that are sharp, the sharpest one, and the
     /// smallest angle of the tetrahedra at them, degrees.
     int n_sharp = 0;

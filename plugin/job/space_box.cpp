@@ -22,7 +22,12 @@ space::CellComplex outlined_cells(const Job& job, const space::Tessellation& cel
 
 void make_box(const space::Vec3& origin, SpaceTile& tile) {
     put_on_sides(origin, tile.mesh);
-    const std::vector<SiteId>& piece_cell = tile.mesh.piece_cell;
+    std::vector<SiteId>& piece_cell = tile.mesh.piece_cell;
+    if (tile.mesh.n_sites() == tile.mesh.n_cells) {
+        // The box cuts no cell: files hold the whole ones.
+        piece_cell.clear();
+        return;
+    }
     const auto of_pieces = [&](const auto& of_cells) {
         std::decay_t<decltype(of_cells)> values;
         if (of_cells.empty()) return values;

@@ -20,7 +20,8 @@ space::CellComplex outlined_cells(const Job& job, const space::Tessellation& cel
                                   space::CellComplex complex);
 
 /// Completes a tile of pieces whose weights and materials are those of the cells: gives these to
-/// the pieces, and puts the points of the sides exactly there.
+/// the pieces, and puts the points of the sides exactly there. If the box cuts no cell, the tile
+/// has whole cells afterwards.
 void make_box(const space::Vec3& origin, SpaceTile& tile);
 
 /// @throws NotATile  a side of the box is not flat.

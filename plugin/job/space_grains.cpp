@@ -19,9 +19,11 @@ SpaceGrainFigures figures_of(const space::Grains& grains) {
     const space::TetrahedralMesh& mesh = grains.mesh.tetrahedra;
     SpaceGrainFigures figures{.n_tetrahedra = mesh.n_tetrahedra(),
                               .n_points = mesh.n_points(),
-                              .smallest_angle = grains.angles.smallest,
-                              .largest_angle = grains.angles.largest,
                               .n_sharp = static_cast<int>(grains.sharp_features.size())};
+    if (grains.angles.largest > 0) {
+        figures.smallest_angle = grains.angles.smallest;
+        figures.largest_angle = grains.angles.largest;
+    }
     if (figures.n_sharp == 0) return figures;
     figures.smallest_sharp_angle = grains.angles_at_features.smallest;
     figures.sharpest = grains.sharp_features.front().angle;

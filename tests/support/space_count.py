@@ -36,7 +36,7 @@ class Mesh:
 
     def __init__(self, points, tetrahedra, cells, lattice):
         self.points, self.tetrahedra, self.cells, self.lattice = points, tetrahedra, cells, lattice
-        self.ties = self.held = None
+        self.ties = self.held = self.stated = None
 
 
 def lattice_of(text):
@@ -99,7 +99,7 @@ def of_vtu(path):
     has_cells = 'Name="CellId"' in within
     cells = np.array(re.search(r'Name="CellId"[^>]*>\n(.*?)</', within, re.S)[1].split(), int) if has_cells else None
     mesh = Mesh(points, tetrahedra, np.full(len(types), -1) if cells is None else cells, lattice)
-    mesh.volumes = array("CellVolumes")
+    mesh.stated = array("CellVolumes")
     return mesh
 
 
@@ -189,21 +189,26 @@ def volumes_of(points, tetrahedra):
     return np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a) / 6
 
 
+def read(path):
+    return (polyhedra_of_foam if path.suffix == ".foam" else polyhedra_of_vtu)(path) if holds_polyhedra(path) else READERS[path.suffix](path)
+
+
 def counted(path):
     """Counts a file. Returns the numbers of its nodes, edges, sides and elements after gluing; of an .stl, its triangles."""
-    if path.suffix == ".stl":
-        return counted_surfaces(path)
-    if holds_polyhedra(path):
-        return counted_polyhedra(path)
-    mesh = READERS[path.suffix](path)
-    volumes = volumes_of(mesh.points, mesh.tetrahedra)
+    return counted_surfaces(path) if path.suffix == ".stl" else count_of(read(path))
+
+
+def count_of(mesh):
+    if isinstance(mesh, Polyhedra):
+        return count_of_polyhedra(mesh)
+    mesh.volumes = volumes = volumes_of(mesh.points, mesh.tetrahedra)
     require(volumes > 0, "a tetrahedron has no positive volume")
     require_sum(volumes, mesh.lattice)
-    stated = getattr(mesh, "volumes", None)
-    if stated is not None:
-        sums = np.bincount(mesh.cells, volumes, len(stated))
-        require(abs(sums - stated) < 1e-9 * volumes.sum(), "the volume of a cell is not the stated one")
-    corners = mesh.tetrahedra[:, :4]
+    if mesh.stated is not None:
+        sums = np.bincount(mesh.cells, volumes, len(mesh.stated))
+        require(abs(sums - mesh.stated) < 1e-9 * volumes.sum(), "the volume of a cell is not the stated one")
+    mesh.elements = corners = mesh.tetrahedra[:, :4]
+    mesh.owners = mesh.cells
     sides, times = sides_of(corners)
     outer = sides[times == 1]
     orbit = glued(mesh, outer.tolist(), middles_of(mesh))
@@ -423,7 +428,10 @@ def polyhedra_of_foam(path):
         cells[cell].append(face)
     for face, cell in zip(faces, neighbour):
         cells[cell].append(face[::-1])
-    return Polyhedra(np.array(rows_of_foam(folder / "points"), float), cells, lattice_of((folder / "boundary").read_text()))
+    mesh = Polyhedra(np.array(rows_of_foam(folder / "points"), float), cells, lattice_of((folder / "boundary").read_text()))
+    # In a box cells are pieces, and no zone names their cells.
+    mesh.owners = None
+    return with_elements(mesh)
 
 
 def polyhedra_of_vtu(path):
@@ -439,11 +447,21 @@ def polyhedra_of_vtu(path):
             faces.append(numbers[at + 1:at + 1 + numbers[at]])
             at += 1 + numbers[at]
         cells.append(faces)
-    return Polyhedra(array("Points", float).reshape(-1, 3), cells, array("PeriodicLattice", float).reshape(3, 3))
+    mesh = Polyhedra(array("Points", float).reshape(-1, 3), cells, array("PeriodicLattice", float).reshape(3, 3))
+    mesh.owners = array("CellId")
+    return with_elements(mesh)
 
 
-def counted_polyhedra(path):
-    mesh = (polyhedra_of_foam if path.suffix == ".foam" else polyhedra_of_vtu)(path)
+def with_elements(mesh):
+    """The corners of each cell, padded by -1, as those of tetrahedra."""
+    corners = [sorted({v for face in cell for v in face}) for cell in mesh.cells]
+    mesh.elements = np.full((len(corners), max(map(len, corners))), -1)
+    for row, found in zip(mesh.elements, corners):
+        row[:len(found)] = found
+    return mesh
+
+
+def count_of_polyhedra(mesh):
     volumes, uses = [], {}
     for cell in mesh.cells:
         areas = np.array([area_vector(mesh.points[face]) for face in cell])
@@ -451,7 +469,7 @@ def counted_polyhedra(path):
         volumes.append(sum(volume_of_fan(mesh.points[face] - mesh.points[cell[0][0]]) for face in cell))
         for face in cell:
             uses.setdefault(tuple(sorted(face)), []).append(face)
-    volumes = np.array(volumes)
+    mesh.volumes = volumes = np.array(volumes)
     require(volumes > 0, "a cell has no positive volume")
     require_sum(volumes, mesh.lattice)
     require([len(found) <= 2 for found in uses.values()], "a face has more than two cells")

@@ -9,6 +9,9 @@ namespace {
 /// The least volume of a new tetrahedron, times 6, over the cube of the longest edge of its
 /// triangle: 1e10 times the rounding.
 constexpr double kSeen = 1e-6;
+/// A cavity of more tetrahedra loses all unseen ones in one pass: in a flat cell each sphere holds
+/// most of them.
+constexpr std::size_t kLarge = 200;
 
 }  // namespace
 
@@ -43,34 +46,51 @@ void Cavity::grow(int holder) {
 bool Cavity::shrink(int holder) {
     for (;;) {
         bool blocked = false;
-        const int unseen = find_unseen(holder, blocked);
+        const bool removed = remove_unseen(holder, blocked);
         if (blocked) return false;
-        if (unseen < 0) return true;
-        cell_.marks()[unseen] = 0;
+        if (!removed) return true;
         keep_component(holder);
     }
 }
 
-int Cavity::find_unseen(int holder, bool& blocked) {
+bool Cavity::remove_unseen(int holder, bool& blocked) {
+    std::vector<char>& marks = cell_.marks();
     boundary_.clear();
-    for (const int t : inside_) {
+    const bool is_large = inside_.size() > kLarge;
+    bool removed = false;
+    for (std::size_t i = 0; i < inside_.size(); ++i) {
+        const int t = inside_[i];
+        if (marks[t] == 0 || sees_sides_of(t, blocked)) continue;
+        removed = true;
+        marks[t] = 0;
+        blocked |= t == holder;
+        if (blocked || !is_large) break;
+        // Its neighbours now have a side on the boundary: look at them again.
         for (int k = 0; k < 4; ++k) {
             const int o = cell_.neighbour(t, k);
-            if (o >= 0 && cell_.marks()[o] != 0) continue;
-            const ThreeCorners triangle = cell_.triangle(t, k);
-            const Vec3& a = cell_.point(triangle[0]);
-            const Vec3& b = cell_.point(triangle[1]);
-            const Vec3& c = cell_.point(triangle[2]);
-            const double longest =
-                std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
-            if (-volume6(a, b, c, x_) < kSeen * longest * std::sqrt(longest)) {
-                blocked = t == holder || o < 0;
-                return t;
-            }
-            boundary_.push_back({triangle, o < 0});
+            if (o >= 0 && marks[o] != 0) inside_.push_back(o);
         }
     }
-    return -1;
+    return removed;
+}
+
+bool Cavity::sees_sides_of(int t, bool& blocked) {
+    for (int k = 0; k < 4; ++k) {
+        const int o = cell_.neighbour(t, k);
+        if (o >= 0 && cell_.marks()[o] != 0) continue;
+        const ThreeCorners triangle = cell_.triangle(t, k);
+        const Vec3& a = cell_.point(triangle[0]);
+        const Vec3& b = cell_.point(triangle[1]);
+        const Vec3& c = cell_.point(triangle[2]);
+        const double longest =
+            std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
+        if (-volume6(a, b, c, x_) < kSeen * longest * std::sqrt(longest)) {
+            blocked = o < 0;
+            return false;
+        }
+        boundary_.push_back({triangle, o < 0});
+    }
+    return true;
 }
 
 void Cavity::keep_component(int holder) {

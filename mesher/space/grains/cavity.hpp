@@ -39,10 +39,13 @@ class Cavity {
     void grow(int holder);
     /// Takes tetrahedra away until x sees the whole boundary.
     bool shrink(int holder);
-    /// Lists the boundary.
-    /// @returns -1, or a tetrahedron of the cavity with a triangle that x does not see; `blocked`
-    ///          is set if it must stay.
-    int find_unseen(int holder, bool& blocked);
+    /// Lists the boundary, and unmarks the first tetrahedron with a triangle that x does not see,
+    /// of a large cavity all of them. Sets `blocked` if one of them must stay.
+    /// @returns whether there is one; then the list is not complete.
+    bool remove_unseen(int holder, bool& blocked);
+    /// Lists the sides of a tetrahedron on the boundary, up to one that x does not see; `blocked`
+    /// is set if that one is on the hull.
+    bool sees_sides_of(int t, bool& blocked);
     void keep_component(int holder);
     bool keeps_vertices();
 

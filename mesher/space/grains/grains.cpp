@@ -118,6 +118,7 @@ class GrainFilling {
         workers_.for_each(complex_.n_cells,
                           [&](int c) { filled[c] = fill_cell(hulls_[c], sizes_[c]); });
         for (int c = 0; c < complex_.n_cells; ++c) {
+            if (!filled[c] && complex_.short_edges == 0) throw NarrowFeature(complex_.site_of(c));
             if (!filled[c]) throw FoldedCell(complex_.site_of(c));
             cells_.push_back(std::move(*filled[c]));
         }

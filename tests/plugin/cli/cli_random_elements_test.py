@@ -8,6 +8,7 @@ By hand, in this folder:
 import argparse
 import random
 import re
+import resource
 import shlex
 import shutil
 import sys
@@ -25,6 +26,8 @@ except ImportError as missing:
 # The jobs of the test, and the seconds after which it begins no further one.
 N_JOBS = 30
 SECONDS = 3
+# By hand, jobs that take more seconds of processor time are listed.
+LONG_JOB = 20
 
 
 class RandomElements(CliTest):
@@ -40,14 +43,17 @@ class RandomElements(CliTest):
                 break
             folder = self.path(str(number))
             folder.mkdir()
+            before = spent()
             words, faults, refusal = count_job(self.run_pcvt, folder, random.Random(f"{self.options.seed} {number}"))
             shutil.rmtree(folder)
             n_run += 1
+            is_long = is_by_hand and spent() - before > LONG_JOB
             n_refused += bool(refusal)
             n_faults += bool(faults)
-            if faults:
+            if faults or is_long or (refusal and is_by_hand):
                 line = shlex.join(map(str, words))
-                print(f"--seed {self.options.seed} --only {number}\n  pcvt mesh {line}\n  " + "\n  ".join(faults), flush=True)
+                lines = [f"--seed {self.options.seed} --only {number}", f"pcvt mesh {line}", *faults, refusal.strip(), f"{spent() - before:.0f} s" if is_long else ""]
+                print("\n  ".join(filter(None, lines)), flush=True)
             if is_by_hand and number % 100 == 99:
                 print(f"{number + 1} jobs, {n_refused} with a file refused, {n_faults} with faults", flush=True)
         if is_by_hand:
@@ -81,6 +87,11 @@ class RandomElements(CliTest):
         self.write("d.vtu", grid.replace(f"\n{row}\n", "\n" + " ".join([second, first, *rest]) + "\n", 1))
         with self.assertRaisesRegex(space_count.Fault, "no positive volume"):
             space_count.counted(self.path("d.vtu"))
+
+
+def spent():
+    """The processor time of the runs that have ended."""
+    return sum(resource.getrusage(resource.RUSAGE_CHILDREN)[:2])
 
 
 def take_options():

@@ -386,6 +386,25 @@ class Boxes(CliTest):
             with self.subTest(words):
                 self.run_box("--sites", 12, *CUBE, *words, files=files)
 
+    def test_a_box_that_cuts_no_cell_holds_whole_ones(self):
+        self.write("s.txt", "0.1 0.2 0.3\n0.6 0.2 0.3\n")
+        slabs = ("--input", "s.txt", *CUBE, "--max-iterations", 0, "--origin", "0.35,0.7,-1.2")
+        for words, files in ((("--phases", "a:0.5,b:0.5"), self.FILES), (("--volumes", "equal"), self.FILES),
+                             (("--short-edges", "0.1"), ("t.vtu", "t.foam"))):
+            with self.subTest(words):
+                box, lines = self.run_box(*slabs, *words, files=files)
+                self.assertEqual(box, "2 pieces of cells, --origin 0.35,0.7,-1.2")
+                for line in lines[:2]:
+                    self.assertRegex(line, r"polyhedra: 2 cells, .* by 3 translations, .* a box at \(0\.35, 0\.7, -1\.2\)")
+
+    def test_angles_are_those_at_sharp_places_where_there_are_no_others(self):
+        text = self.succeed("mesh", "--sites", 1, "--period", "0.1,1,5", "--mesh", "grains", "-o", "t.vtu", "--report", "r.json")
+        self.assertRegex(figures(text)["grains"], r"^\d+ tetrahedra on \d+ points, each beside a sharp place, dihedral angles; from [\d.]+ at 2 sharp places of "
+                                                  r"the cells \(corners, edges, narrow faces, flat cells\), the sharpest of [\d.]+ degrees$")
+        grains = json.loads(self.path("r.json").read_text())["grains"]
+        self.assertEqual((grains["smallest_angle"], grains["largest_angle"]), (None, None))
+        self.assertGreater(grains["smallest_angle_at_them"], 0)
+
     def test_volumes_and_centroids_are_those_of_the_cells(self):
         self.succeed("mesh", "--sites", 20, *CUBE, "--volumes", "lognormal:0.4", "--outline", "box", "-o", "t.vtu", "-o", "t.csv")
         self.assertIn("volumes of 20 cells within", self.succeed("check", "t.vtu", "--volumes", "t.csv:volume"))

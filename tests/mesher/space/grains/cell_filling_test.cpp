@@ -136,6 +136,28 @@ TEST(Cavity, KeepsTheHullAndTheVertices) {
     }
 }
 
+/// In a plate spheres hold most tetrahedra, and large cavities lose many unseen ones.
+TEST(Cavity, KeepsTheHullOfAPlate) {
+    const Lattice flat = Lattice::box(0.03, 1, 1);
+    const CellComplex complex = testing::complex_of({"plate", flat, uniform_points(flat, 1, 5)});
+    Workers workers(1);
+    const CellHull hull = cell_hulls(complex, grain_surface(complex, {0.08}, workers)).front();
+    CellTetrahedra cell = star_of(hull);
+    ASSERT_GT(cell.n_numbers(), 500);
+    Cavity cavity(cell);
+    int n_inserted = 0;
+    std::size_t most_fresh = 0;
+    for (int t = 0; t < cell.n_numbers() && n_inserted < 40; ++t) {
+        if (!cell.is_alive(t) || !cavity.find(cell.barycentre(t), t)) continue;
+        cavity.fill(1);
+        most_fresh = std::max(most_fresh, cell.fresh().size());
+        ++n_inserted;
+    }
+    EXPECT_EQ(n_inserted, 40);
+    EXPECT_GT(most_fresh, 100);
+    expect_filled(hull, cell);
+}
+
 TEST(Cavity, IsNotFoundAtAVertex) {
     const CellHull hull = random_hulls(3).front();
     CellTetrahedra cell = star_of(hull);
