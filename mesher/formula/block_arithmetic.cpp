@@ -93,9 +93,27 @@ PCVT_TARGET_CLONES void block_round(const double* __restrict x, double* __restri
     for (int k = 0; k < whole_lanes(n); ++k) y[k] = rounded(x[k]);
 }
 
-PCVT_TARGET_CLONES void block_choose(const double* __restrict condition, const double* __restrict a,
-                                     const double* __restrict b, double* __restrict y, int n) {
-    for (int k = 0; k < whole_lanes(n); ++k) y[k] = condition[k] != 0 ? a[k] : b[k];
+PCVT_TARGET_CLONES void block_squared_difference(const double* __restrict a,
+                                                 const double* __restrict b, double* __restrict y,
+                                                 int n) {
+    for (int k = 0; k < whole_lanes(n); ++k) y[k] = (a[k] - b[k]) * (a[k] - b[k]);
+}
+
+PCVT_TARGET_CLONES void block_add_product(const double* __restrict a, const double* __restrict b,
+                                          const double* __restrict c, double* __restrict y, int n) {
+    for (int k = 0; k < whole_lanes(n); ++k) y[k] = c[k] + a[k] * b[k];
+}
+
+PCVT_TARGET_CLONES void block_add_squared_difference(const double* __restrict a,
+                                                     const double* __restrict b,
+                                                     const double* __restrict c,
+                                                     double* __restrict y, int n) {
+    for (int k = 0; k < whole_lanes(n); ++k) y[k] = c[k] + (a[k] - b[k]) * (a[k] - b[k]);
+}
+
+PCVT_TARGET_CLONES void block_choose(const double* __restrict a, const double* __restrict b,
+                                     const double* __restrict c, double* __restrict y, int n) {
+    for (int k = 0; k < whole_lanes(n); ++k) y[k] = a[k] != 0 ? b[k] : c[k];
 }
 
 }  // namespace pcvt

@@ -31,7 +31,13 @@ BlockFunction block_sign;
 /// The whole number that is nearest to x; the larger of two equally near ones.
 BlockFunction block_round;
 
-/// y[k] = condition[k] is true ? a[k] : b[k].
-void block_choose(const double* condition, const double* a, const double* b, double* y, int n);
+/// Operators one after the other, each of which rounds as if it were alone: (a - b)^2, c + a b and
+/// c + (a - b)^2. A block is read and written once.
+BlockFunction2 block_squared_difference;
+BlockFunction3 block_add_product;
+BlockFunction3 block_add_squared_difference;
+
+/// y[k] = a[k] is true ? b[k] : c[k].
+BlockFunction3 block_choose;
 
 }  // namespace pcvt

@@ -28,10 +28,14 @@ PCVT_IN_LANES double exponential_of(double x) {
 
 /// The same for |x| <= kNormalExponent, where the result needs no rounding to a power of 2.
 constexpr double kNormalExponent = 708;
-PCVT_IN_LANES double normal_exponential_of(double x) {
-    const double turns = x * kPerLn2 + kToWhole;
-    const double sum = exponential_of_rest({x, 0}, turns - kToWhole);
+PCVT_IN_LANES double normal_exponential(NumberPair x) {
+    const double turns = x.high * kPerLn2 + kToWhole;
+    const double sum = exponential_of_rest(x, turns - kToWhole);
     return from_bits(bits_of(sum) + (bits_of(turns) << 52));
+}
+/// Has the sign bit for |x| > kNormalExponent and NaN.
+PCVT_IN_LANES std::uint64_t beyond_normal_exponents(double x) {
+    return bits_of(kNormalExponent) - bits_of(magnitude_of(x));
 }
 
 /// A factor in two parts, the first of which has 26 bits and the second the rest of the factor.
@@ -64,9 +68,9 @@ PCVT_IN_LANES double logarithm_of(double x, const LogarithmBase& base) {
     return logarithm_or_limit(x, sum + (error + small));
 }
 
-/// ln(x) with some 66 bits.
-PCVT_IN_LANES NumberPair accurate_logarithm(double x) {
-    const auto [k, m] = split_number(x);
+/// The natural logarithm with some 66 bits.
+PCVT_IN_LANES NumberPair accurate_logarithm(SplitNumber x) {
+    const auto [k, m] = x;
     // s = (m - 1) / (m + 1) = s_high + s_low, where s_high has 26 bits.
     const double f = m - 1;
     const double sum = m + 1;
@@ -98,15 +102,18 @@ PCVT_IN_LANES NumberPair accurate_logarithm(double x) {
     return {log, log_error + (2 * arc_low + k * kLn2Low)};
 }
 
+PCVT_IN_LANES NumberPair product(NumberPair log, double y) {
+    const double log_lead = leading_half(log.high);
+    const double log_rest = (log.high - log_lead) + log.low;
+    const double y_lead = leading_half(y);
+    return exact_sum_of_ordered(y_lead * log_lead, (y - y_lead) * log_lead + y * log_rest);
+}
+
 /// y ln(x) for x >= 0, in the range of exponential().
 PCVT_IN_LANES NumberPair exponent_of_power(double x, double y) {
-    const auto [log_high, log_low] = accurate_logarithm(x);
-    const double log_lead = leading_half(log_high);
-    const double log_rest = (log_high - log_lead) + log_low;
-    const double y_lead = leading_half(y);
-    const auto [high, low] =
-        exact_sum_of_ordered(y_lead * log_lead, (y - y_lead) * log_lead + y * log_rest);
-    const double whole = y * logarithm_or_limit(x, log_high + log_low);
+    const NumberPair log = accurate_logarithm(split_number(x));
+    const auto [high, low] = product(log, y);
+    const double whole = y * logarithm_or_limit(x, log.high + log.low);
     const bool is_moderate = magnitude_of(whole) < 750;
     return {is_moderate ? high : in_exponential_range(whole), is_moderate ? low : 0};
 }
@@ -124,6 +131,13 @@ PCVT_IN_LANES double power_with_limits(double x, double y, double power) {
     const double numeric = ((x == x) & (y == y)) ? result : kNotANumber;
     const bool is_one = (y == 0) | (x == 1) | ((x == -1) & (magnitude_of(y) == kInfiniteNumber));
     return is_one ? 1 : numeric;
+}
+
+/// Has the sign bit for all but positive, finite, normal numbers.
+PCVT_IN_LANES std::uint64_t beyond_normal_bases(double x) {
+    constexpr std::uint64_t kLargest = 0x7fefffffffffffff;
+    const std::uint64_t bits = bits_of(x);
+    return bits | (bits - bits_of(kLeastNormal)) | (kLargest - bits);
 }
 
 PCVT_IN_LANES double cube_root_of(double x) {
@@ -146,6 +160,44 @@ PCVT_IN_LANES double cube_root_of(double x) {
     return is_itself ? x : with_sign_of(x, better * power_of_two(k));
 }
 
+// In both functions of powers, two short loops overlap more of their operations than a long one.
+
+/// Writes n powers, at most kNumbersAtOnce, unless a base is not a positive normal number or a
+/// power may not be one; returns whether it has. The numbers are those of all_powers.
+PCVT_TARGET_CLONES bool normal_powers(const double* __restrict a, const double* __restrict b,
+                                      double* __restrict y, int n) {
+    std::uint64_t any_other = 0;
+    for (int k = 0; k < whole_lanes(n); ++k) any_other |= beyond_normal_bases(a[k]);
+    if ((any_other & kSignBit) != 0) return false;
+    double high[kNumbersAtOnce];
+    double low[kNumbersAtOnce];
+    for (int k = 0; k < whole_lanes(n); ++k) {
+        const NumberPair log = accurate_logarithm(split_normal_number(a[k]));
+        const NumberPair exponent = product(log, b[k]);
+        high[k] = exponent.high;
+        low[k] = exponent.low;
+        any_other |= beyond_normal_exponents(exponent.high);
+    }
+    if ((any_other & kSignBit) != 0) return false;
+    for (int k = 0; k < whole_lanes(n); ++k) y[k] = normal_exponential({high[k], low[k]});
+    return true;
+}
+
+/// Writes n powers, at most kNumbersAtOnce.
+PCVT_TARGET_CLONES void all_powers(const double* __restrict a, const double* __restrict b,
+                                   double* __restrict y, int n) {
+    double high[kNumbersAtOnce];
+    double low[kNumbersAtOnce];
+    for (int k = 0; k < whole_lanes(n); ++k) {
+        const NumberPair exponent = exponent_of_power(magnitude_of(a[k]), b[k]);
+        high[k] = exponent.high;
+        low[k] = exponent.low;
+    }
+    for (int k = 0; k < whole_lanes(n); ++k) {
+        y[k] = power_with_limits(a[k], b[k], exponential({high[k], low[k]}, 0));
+    }
+}
+
 }  // namespace
 
 PCVT_TARGET_CLONES void block_exp(const double* __restrict x, double* __restrict y, int n) {
@@ -153,9 +205,8 @@ PCVT_TARGET_CLONES void block_exp(const double* __restrict x, double* __restrict
         const int n_here = std::min(whole_lanes(n - from), kNumbersAtOnce);
         std::uint64_t any_other = 0;
         for (int k = 0; k < n_here; ++k) {
-            y[from + k] = normal_exponential_of(x[from + k]);
-            // The difference is negative for larger numbers, infinity and NaN.
-            any_other |= bits_of(kNormalExponent) - bits_of(magnitude_of(x[from + k]));
+            y[from + k] = normal_exponential({x[from + k], 0});
+            any_other |= beyond_normal_exponents(x[from + k]);
         }
         if ((any_other & kSignBit) == 0) continue;
         for (int k = 0; k < n_here; ++k) y[from + k] = exponential_of(x[from + k]);
@@ -174,21 +225,12 @@ PCVT_TARGET_CLONES void block_log10(const double* __restrict x, double* __restri
     for (int k = 0; k < whole_lanes(n); ++k) y[k] = logarithm_of(x[k], kBase10);
 }
 
-PCVT_TARGET_CLONES void block_pow(const double* __restrict a, const double* __restrict b,
-                                  double* __restrict y, int n) {
-    // Two short loops overlap more of their operations than a long one.
-    double high[kNumbersAtOnce];
-    double low[kNumbersAtOnce];
+void block_pow(const double* __restrict a, const double* __restrict b, double* __restrict y,
+               int n) {
     for (int from = 0; from < n; from += kNumbersAtOnce) {
-        const int n_here = std::min(whole_lanes(n - from), kNumbersAtOnce);
-        for (int k = 0; k < n_here; ++k) {
-            const NumberPair exponent = exponent_of_power(magnitude_of(a[from + k]), b[from + k]);
-            high[k] = exponent.high;
-            low[k] = exponent.low;
-        }
-        for (int k = 0; k < n_here; ++k) {
-            const double power = exponential({high[k], low[k]}, 0);
-            y[from + k] = power_with_limits(a[from + k], b[from + k], power);
+        const int n_here = std::min(n - from, kNumbersAtOnce);
+        if (!normal_powers(a + from, b + from, y + from, n_here)) {
+            all_powers(a + from, b + from, y + from, n_here);
         }
     }
 }

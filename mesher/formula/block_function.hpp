@@ -19,6 +19,9 @@ using BlockFunction = void(const double* x, double* y, int n);
 /// A function of each pair of numbers: y[k] = f(a[k], b[k]).
 using BlockFunction2 = void(const double* a, const double* b, double* y, int n);
 
+/// A function of three numbers.
+using BlockFunction3 = void(const double* a, const double* b, const double* c, double* y, int n);
+
 /// The function of one number, with the bits of a block.
 inline double one_of_block(BlockFunction* f, double x) {
     std::array<double, kLanes> in{};

@@ -68,17 +68,23 @@ struct SplitNumber {
     double m;
 };
 
-/// @param x  positive and finite; other numbers have no defined result.
-PCVT_IN_LANES SplitNumber split_number(double x) {
-    constexpr double kLeastNormal = 0x1p-1022;
+inline constexpr double kLeastNormal = 0x1p-1022;
+
+/// @param x      positive, finite and at least kLeastNormal.
+/// @param shift  of the exponent in the bits of x.
+PCVT_IN_LANES SplitNumber split_normal_number(double x, double shift = 1023) {
     constexpr std::uint64_t kRootOfHalf = 0x3fe6a09e667f3bcd;
     constexpr double kWholeFromBits = 0x1p52;
-    const double normal = x < kLeastNormal ? x * 0x1p54 : x;
-    const double shift = x < kLeastNormal ? 1023 + 54 : 1023;
     // The exponent grows by 1 where the digits are at least those of sqrt(1/2).
-    const std::uint64_t bits = bits_of(normal) + (bits_of(1.0) - kRootOfHalf);
+    const std::uint64_t bits = bits_of(x) + (bits_of(1.0) - kRootOfHalf);
     const double exponent = from_bits((bits >> 52) | bits_of(kWholeFromBits)) - kWholeFromBits;
     return {exponent - shift, from_bits((bits & 0xfffffffffffffull) + kRootOfHalf)};
+}
+
+/// @param x  positive and finite; other numbers have no defined result.
+PCVT_IN_LANES SplitNumber split_number(double x) {
+    const double shift = x < kLeastNormal ? 1023 + 54 : 1023;
+    return split_normal_number(x < kLeastNormal ? x * 0x1p54 : x, shift);
 }
 
 /// log(x) replaced where x is not positive and finite.

@@ -65,7 +65,7 @@ void FormulaProgram::apply(BlockFunction* function) {
     if (is_number(a)) return push_number(one_of_block(function, number(a)));
     // A result never takes the place of an operand, because they must not overlap.
     const int result = take_row();
-    operations_.push_back({Kind::kOne, function, nullptr, {a, a, a}, result});
+    operations_.push_back({Kind::kOne, function, nullptr, nullptr, {a, a, a}, result});
     release(a);
     values_.push_back(result);
 }
@@ -76,11 +76,46 @@ void FormulaProgram::apply(BlockFunction2* function) {
     if (is_number(a) && is_number(b)) {
         return push_number(one_of_block(function, number(a), number(b)));
     }
+    if (function == block_add && (add_to_last(a, b) || add_to_last(b, a))) return;
+    if (function == block_divide && divide_negative(a, b)) return;
     const int result = take_row();
-    operations_.push_back({Kind::kTwo, nullptr, function, {a, b, b}, result});
+    operations_.push_back({Kind::kTwo, nullptr, function, nullptr, {a, b, b}, result});
     release(a);
     release(b);
     values_.push_back(result);
+}
+
+/// Whether the last operation is this function, and `row` its result.
+bool FormulaProgram::ends_with(BlockFunction2* function, int row) const {
+    return !operations_.empty() && operations_.back().result == row &&
+           operations_.back().two == function;
+}
+
+// The last operation keeps its row where it takes in a further operator: no operand has that row.
+
+/// Adds a to b, the result of the last operation, in the same operation.
+bool FormulaProgram::add_to_last(int a, int b) {
+    const bool is_product = ends_with(block_multiply, b);
+    if (!is_product && !ends_with(block_squared_difference, b)) return false;
+    Operation& last = operations_.back();
+    last.kind = Kind::kThree;
+    last.two = nullptr;
+    last.three = is_product ? block_add_product : block_add_squared_difference;
+    last.operands[2] = a;
+    release(a);
+    values_.push_back(b);
+    return true;
+}
+
+/// Divides a, the negative that the last operation computed, by a number: x / -b is (-x) / b.
+bool FormulaProgram::divide_negative(int a, int b) {
+    if (!is_number(b) || operations_.empty()) return false;
+    Operation& last = operations_.back();
+    if (last.result != a || last.one != block_negative) return false;
+    const int divisor = number_row(-number(b));
+    last = {Kind::kTwo, nullptr, block_divide, nullptr, {last.operands[0], divisor, divisor}, a};
+    values_.push_back(a);
+    return true;
 }
 
 void FormulaProgram::fold(BlockFunction2* function, int n) {
@@ -105,10 +140,16 @@ void FormulaProgram::apply_power() {
         for (int k = 1; k < times; ++k) product *= number(base);
         return push_number(product);
     }
+    if (times == 2 && ends_with(block_subtract, base)) {
+        operations_.back().two = block_squared_difference;
+        values_.push_back(base);
+        return;
+    }
     int product = base;
     for (int k = 1; k < times; ++k) {
         const int result = take_row();
-        operations_.push_back({Kind::kTwo, nullptr, block_multiply, {product, base, base}, result});
+        operations_.push_back(
+            {Kind::kTwo, nullptr, block_multiply, nullptr, {product, base, base}, result});
         if (product != base) release(product);
         product = result;
     }
@@ -127,7 +168,8 @@ void FormulaProgram::apply_choice() {
         return;
     }
     const int result = take_row();
-    operations_.push_back({Kind::kChoice, nullptr, nullptr, {condition, a, b}, result});
+    operations_.push_back(
+        {Kind::kThree, nullptr, nullptr, block_choose, {condition, a, b}, result});
     release(condition);
     release(a);
     release(b);
@@ -172,8 +214,8 @@ void FormulaEvaluator::compute(const double* const* variables, std::size_t from,
             case FormulaProgram::Kind::kTwo:
                 operation.two(a, b, y, n);
                 break;
-            case FormulaProgram::Kind::kChoice:
-                block_choose(a, b, operand(operation.operands[2]), y, n);
+            case FormulaProgram::Kind::kThree:
+                operation.three(a, b, operand(operation.operands[2]), y, n);
                 break;
         }
     }

@@ -9,7 +9,9 @@
 namespace pcvt {
 
 /// A formula as a list of operations, each of which covers a block of points. Operations on numbers
-/// are carried out at once, with the bits of a block.
+/// are carried out at once, with the bits of a block. Some pairs of operators that follow each
+/// other become one operation with the same bits, since reading and writing a block takes longer
+/// than the arithmetic.
 ///
 /// Example usage:
 ///
@@ -49,18 +51,22 @@ class FormulaProgram {
    private:
     friend class FormulaEvaluator;
 
-    enum class Kind { kOne, kTwo, kChoice };
+    enum class Kind { kOne, kTwo, kThree };
     /// Rows are variables, then results of operations. A negative row -1 - k is number k.
     struct Operation {
         Kind kind;
         BlockFunction* one;
         BlockFunction2* two;
+        BlockFunction3* three;
         int operands[3];
         int result;
     };
 
     bool is_number(int row) const { return row < 0; }
     double number(int row) const { return numbers_[static_cast<std::size_t>(-1 - row)]; }
+    bool ends_with(BlockFunction2* function, int row) const;
+    bool add_to_last(int a, int b);
+    bool divide_negative(int a, int b);
     int number_row(double value);
     int pop();
     int take_row();

@@ -17,8 +17,9 @@ import unittest
 ENERGIES = ("pcvt::space::TetrahedronBlock::compute", "pcvt::plane::TriangleBlock::compute",
             "pcvt::space::PowerBlock::compute", "pcvt::space::PowerBlock::compute_moments")
 BLOCKS = tuple("pcvt::block_" + name for name in (
-    "exp log log2 log10 pow sqrt cbrt sinh cosh tanh asinh acosh atanh sin cos tan asin acos atan atan2 "
-    "add subtract multiply divide round").split())
+    "exp log log2 log10 sqrt cbrt sinh cosh tanh asinh acosh atanh sin cos tan asin acos atan atan2 "
+    "add subtract multiply divide round squared_difference add_product add_squared_difference").split())
+BLOCKS += ("pcvt::(anonymous namespace)::normal_powers", "pcvt::(anonymous namespace)::all_powers")
 SHAPES = ("pcvt::space::StarShape::qualities_of", "pcvt::space::StarShape::qualities_and_ratios_of")
 OBJECTS = 8  # three files of energies and power cells, that of shapes, and the files of the block functions
 VERSIONS = ("default", "arch_x86_64_v3", "arch_x86_64_v4")

@@ -30,7 +30,8 @@ std::vector<SiteId> random_rounds(const Sites& sites) {
     for (int k = 0; k < columns.n_columns(); ++k) {
         checkpoint();
         const auto at = [&](SiteId s) {
-            return std::pair(sites.coordinates()(1, s), sites.coordinates()(0, s));
+            const auto u = sites.coordinates().col(s);
+            return std::pair(u[1 - columns.across], u[columns.across]);
         };
         std::sort(columns.order.begin() + columns.begin[k],
                   columns.order.begin() + columns.begin[k + 1],

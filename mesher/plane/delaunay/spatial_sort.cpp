@@ -52,16 +52,24 @@ void sort_by_key(std::span<SiteId> ids, const Key& key) {
 
 }  // namespace
 
+int coordinate_across_columns(const Gram& gram) {
+    constexpr double kLongerSquare = 4;
+    return gram.bb > kLongerSquare * gram.aa ? 1 : 0;
+}
+
 SpatialSort spatial_sort(const Points& coordinates, const Gram& gram) {
     const auto n = static_cast<int>(coordinates.cols());
     SpatialSort columns;
+    const int across = coordinate_across_columns(gram);
+    columns.across = across;
     columns.order.resize(static_cast<std::size_t>(n));
     std::iota(columns.order.begin(), columns.order.end(), 0);
-    sort_by_key(std::span(columns.order), [&](SiteId s) { return coordinates(0, s); });
+    sort_by_key(std::span(columns.order), [&](SiteId s) { return coordinates(across, s); });
 
-    // The columns divide the width |a| sin(a, b), and the sites of a column the length |b|.
+    // The sites of a column divide the length l of a period, and the columns the area over l.
     const double area = std::sqrt(gram.aa * gram.bb - gram.ab * gram.ab);
-    const int n_columns = std::clamp(static_cast<int>(std::sqrt(n * area / gram.bb)), 1, n);
+    const double square = across == 0 ? gram.bb : gram.aa;
+    const int n_columns = std::clamp(static_cast<int>(std::sqrt(n * area / square)), 1, n);
     for (int k = 0; k <= n_columns; ++k) {
         columns.begin.push_back(static_cast<int>(std::int64_t{n} * k / n_columns));
     }
@@ -69,7 +77,7 @@ SpatialSort spatial_sort(const Points& coordinates, const Gram& gram) {
         checkpoint();
         const auto ids = std::span(columns.order)
                              .subspan(columns.begin[k], columns.begin[k + 1] - columns.begin[k]);
-        sort_by_key(ids, [&](SiteId s) { return coordinates(1, s); });
+        sort_by_key(ids, [&](SiteId s) { return coordinates(1 - across, s); });
     }
     return columns;
 }

@@ -6,8 +6,8 @@
 
 namespace pcvt::plane {
 
-/// Sites sorted into columns across the reduced domain: by the first coordinate into columns, and
-/// by the second coordinate within a column.
+/// Sites sorted into columns across the reduced domain: by one coordinate into columns, and by the
+/// other one within a column.
 ///
 /// Example usage (walks the columns):
 ///
@@ -15,6 +15,8 @@ namespace pcvt::plane {
 ///     for (int k = 0; k < sorted.n_columns(); ++k)
 ///         for (int m = sorted.begin[k]; m < sorted.begin[k + 1]; ++m) visit(sorted.order[m]);
 struct SpatialSort {
+    /// The coordinate that divides the columns, 0 or 1; the other one goes along them.
+    int across = 0;
     /// The sites, column by column.
     std::vector<SiteId> order;
     /// Column k holds order[begin[k]] ... order[begin[k + 1] - 1]; no column is empty.
@@ -22,6 +24,11 @@ struct SpatialSort {
 
     int n_columns() const { return static_cast<int>(begin.size()) - 1; }
 };
+
+/// The coordinate across the columns: along the first period vector, or where the second one is
+/// more than twice as long, along that one. Columns are then short, so that neighbouring columns of
+/// thin domains fit into a cache.
+int coordinate_across_columns(const Gram& gram);
 
 /// Sorts into about sqrt(n) columns with nearly equal numbers of sites; the number of columns makes
 /// the spacing within a column equal to the spacing of the columns. Sites that follow each other in

@@ -9,7 +9,7 @@
 namespace pcvt::plane {
 namespace {
 
-/// A vertex of the strip: an image with absolute coordinates.
+/// A vertex of the strip: an image with absolute coordinates, that across the columns first.
 struct StripVertex {
     SiteId site;
     Offset offset;
@@ -73,7 +73,10 @@ class StripBuilder {
         const int round = k < column.size() ? 0 : 1;
         const SiteId site = column[k - round * column.size()];
         const Vec2 shift(i, round);
-        return {site, {i, round}, coordinates_.col(site) + shift, on_right};
+        if (columns_.across == 0) {
+            return {site, {i, round}, coordinates_.col(site) + shift, on_right};
+        }
+        return {site, {round, i}, coordinates_.col(site).reverse() + shift, on_right};
     }
 
     /// Merges the vertices of both chains upwards: from two consecutive vertices on different
@@ -159,14 +162,17 @@ class StripBuilder {
 
     /// Whether a, b, w (b above a on the stack) form a triangle inside the strip.
     bool sees(int a, int b, int w) {
-        right_ = vertices_[b].on_right;
+        const bool right = vertices_[b].on_right;
         const Vec2& p = vertices_[a].point;
         const Vec2& q = vertices_[b].point;
         const Vec2& r = vertices_[w].point;
-        return right_ ? surely_counter_clockwise(p, q, r) : surely_counter_clockwise(p, r, q);
+        // Points with exchanged coordinates are mirrored.
+        right_ = right == (columns_.across == 0);
+        return right ? surely_counter_clockwise(p, q, r) : surely_counter_clockwise(p, r, q);
     }
 
-    /// Adds the triangle of the last call of sees(): a, b, w on the right, a, w, b on the left.
+    /// Adds the triangle of the last call of sees(): a, b, w on the right, a, w, b on the left, or
+    /// in mirrored points the other way round.
     int add_triangle(int a, int b, int w) {
         const StripVertex& first = vertices_[a];
         const StripVertex& second = vertices_[right_ ? b : w];
@@ -221,8 +227,9 @@ bool chains_touch(const Points& coordinates, const SpatialSort& columns) {
         double lowest = 1;
         double highest = 0;
         for (int m = columns.begin[k]; m < columns.begin[k + 1]; ++m) {
-            lowest = std::min(lowest, coordinates(0, columns.order[m]));
-            highest = std::max(highest, coordinates(0, columns.order[m]));
+            const double across = coordinates(columns.across, columns.order[m]);
+            lowest = std::min(lowest, across);
+            highest = std::max(highest, across);
         }
         if (lowest <= reached) return true;
         reached = highest;

@@ -36,6 +36,7 @@ class CellSums {
           whole_(probe, cells.from_frame()),
           cut_(probe) {}
 
+    const DensityProbe& probe() const { return probe_; }
     /// Computes moments[k] of cell k. Each result depends only on its cell, to the last bit.
     /// @throws BadDensity as the probe does.
     void integrate(std::span<const OrderedCell> cells, std::vector<Moments>& moments);

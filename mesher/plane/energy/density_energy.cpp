@@ -66,6 +66,26 @@ void DensityPass::run_tasks(const std::function<void(SiteId, SiteId, DensityProb
     probes_.range().require_contrast();
 }
 
+std::unique_ptr<CellSums> DensityPass::take_sums(DensityProbe& probe) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find_if(idle_.begin(), idle_.end(),
+                                    [&](const auto& sums) { return &sums->probe() == &probe; });
+    if (found == idle_.end()) return std::make_unique<CellSums>(cells_, quadrature_, probe);
+    std::unique_ptr<CellSums> sums = std::move(*found);
+    idle_.erase(found);
+    return sums;
+}
+
+/// The same with sums in place of the probe; those of a task that fails are not used again.
+void DensityPass::sum_tasks(const std::function<void(SiteId, SiteId, CellSums&, Task&)>& work) {
+    run_tasks([&](SiteId first, SiteId end, DensityProbe& probe, Task& task) {
+        std::unique_ptr<CellSums> sums = take_sums(probe);
+        work(first, end, *sums, task);
+        const std::lock_guard lock(mutex_);
+        idle_.push_back(std::move(sums));
+    });
+}
+
 bool DensityPass::evaluate(Energy& energy) {
     if (!restore()) return false;
     cells_.locate();
@@ -74,10 +94,10 @@ bool DensityPass::evaluate(Energy& energy) {
     energy.gradient.resize(2 * n);
     energy.mass.resize(n);
     const std::int64_t before = probes_.range().n_evaluations;
-    run_tasks([&](SiteId first, SiteId end, DensityProbe& probe, Task& task) {
-        CellSums sums(cells_, quadrature_, probe);
+    sum_tasks([&](SiteId first, SiteId end, CellSums& sums, Task& task) {
         std::vector<OrderedCell> cells;
         std::vector<Moments> moments;
+        cells.reserve(std::size_t(end - first));
         for (SiteId s = first; s < end; ++s) cells.push_back({s, order_[s], false});
         sums.integrate(cells, moments);
         for (SiteId s = first; s < end; ++s) {
@@ -139,8 +159,7 @@ void DensityPass::choose_orders(std::vector<OrderedCell> cells, double accuracy,
 
 RuleCheck DensityPass::choose_orders(double accuracy, bool lower) {
     cells_.locate();
-    run_tasks([&](SiteId first, SiteId end, DensityProbe& probe, Task& task) {
-        CellSums sums(cells_, quadrature_, probe);
+    sum_tasks([&](SiteId first, SiteId end, CellSums& sums, Task& task) {
         std::vector<OrderedCell> cells;
         for (SiteId s = first; s < end; ++s) {
             cells.push_back(

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <mutex>
+
 #include "mesher/plane/density/cell_sums.hpp"
 #include "mesher/plane/energy/density_hessian.hpp"
 #include "mesher/plane/energy/energy.hpp"
@@ -84,6 +87,8 @@ class DensityPass {
     struct Task;
     void choose_orders(std::vector<OrderedCell> cells, double accuracy, CellSums& sums, Task& task);
     void run_tasks(const std::function<void(SiteId, SiteId, DensityProbe&, Task&)>& work);
+    void sum_tasks(const std::function<void(SiteId, SiteId, CellSums&, Task&)>& work);
+    std::unique_ptr<CellSums> take_sums(DensityProbe& probe);
 
     MovingDelaunay& delaunay_;
     Workers& workers_;
@@ -95,6 +100,9 @@ class DensityPass {
     double per_unit_;
     std::vector<std::uint8_t> order_;
     std::vector<Task> tasks_;
+    /// Sums that no task uses, with their memory: at most one for each probe.
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<CellSums>> idle_;
     double evaluations_per_site_ = 0;
 };
 

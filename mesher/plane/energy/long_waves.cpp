@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 #include "mesher/plane/energy/fourier_transform.hpp"
 
@@ -164,13 +165,15 @@ void LongWaves::Grid::to_nodes(Workers& workers) {
 LongWaves::LongWaves(const MovingDelaunay& delaunay, Workers& workers)
     : workers_(workers),
       frame_(delaunay.frame()),
+      across_(coordinate_across_columns(delaunay.gram())),
       area_per_site_(delaunay.spacing() * delaunay.spacing()),
       n_sites_(delaunay.n_sites()) {
     const double per_length = kNodesPerSpacing / delaunay.spacing();
     const auto n_nodes = [&](double length) {
         return FourierTransform::good_length(static_cast<int>(std::ceil(per_length * length)));
     };
-    grid_ = std::make_unique<Grid>(n_nodes(frame_.ax), n_nodes(Vec2(frame_.bx, frame_.by).norm()));
+    const int nodes[] = {n_nodes(frame_.ax), n_nodes(Vec2(frame_.bx, frame_.by).norm())};
+    grid_ = std::make_unique<Grid>(nodes[across_], nodes[1 - across_]);
     place_sites(delaunay);
 }
 
@@ -180,8 +183,8 @@ void LongWaves::place_sites(const MovingDelaunay& delaunay) {
     place_.resize(2, n_sites_);
     for (SiteId s = 0; s < n_sites_; ++s) {
         const Vec2 u = delaunay.coordinates().col(s);
-        place_.col(s) << on_grid(u.x(), grid_->n_rows(), kMargin),
-            on_grid(u.y(), grid_->n_columns(), 0);
+        place_.col(s) << on_grid(u[across_], grid_->n_rows(), kMargin),
+            on_grid(u[1 - across_], grid_->n_columns(), 0);
     }
     for (int first = 0; first < n_sites_; first += kSitesPerStretch) {
         const int end = std::min(first + kSitesPerStretch, n_sites_);
@@ -227,6 +230,13 @@ void LongWaves::collect(const Eigen::VectorXd& r) {
     }
 }
 
+/// The wave vector of i periods across the rows and j along them.
+Vec2 LongWaves::wave_vector(int i, int j) const {
+    if (across_ == 1) std::swap(i, j);
+    const double kx = 2 * std::numbers::pi * i / frame_.ax;
+    return {kx, (2 * std::numbers::pi * j - kx * frame_.bx) / frame_.by};
+}
+
 /// Divides the amplitude of each wave by its stiffness.
 ///
 /// With the amplitudes X and Y of x and y for a wave k, and those of -k, which are their
@@ -249,17 +259,17 @@ void LongWaves::solve() {
         if (2 * i == n_rows) std::fill_n(waves, n_columns, Number{});
         waves[n_columns / 2] = opposite[n_columns / 2] = 0;
         if (i == 0) waves[0] = 0;
-        const double kx = 2 * std::numbers::pi * i / frame_.ax;
         const int end = i == 0 ? n_columns / 2 : 2 * i == n_rows ? 0 : n_columns;
         for (int j = i == 0 ? 1 : 0; j < end; ++j) {
             const int index = 2 * j < n_columns ? j : j - n_columns;
-            const double ky = (2 * std::numbers::pi * index - kx * frame_.bx) / frame_.by;
-            const double square = kx * kx + ky * ky;
+            const Vec2 k = wave_vector(i, index);
+            const double square = k.squaredNorm();
             const double across = factor / (kAcross * square);
             const double more_along = factor / (kAlong * square) - across;
             const auto mean = static_cast<float>(across + more_along / 2);
-            const Number turned(static_cast<float>(more_along * (kx * kx - ky * ky) / (2 * square)),
-                                static_cast<float>(more_along * kx * ky / square));
+            const Number turned(
+                static_cast<float>(more_along * (k.x() * k.x() - k.y() * k.y()) / (2 * square)),
+                static_cast<float>(more_along * k.x() * k.y() / square));
             Number& wave = waves[j];
             Number& other = opposite[(n_columns - j) % n_columns];
             const Number before = wave;

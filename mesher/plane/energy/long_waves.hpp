@@ -54,12 +54,15 @@ class LongWaves {
 
     void place_sites(const MovingDelaunay& delaunay);
     bool neighbours_only() const;
+    Vec2 wave_vector(int i, int j) const;
     void collect(const Eigen::VectorXd& r);
     void solve();
     void distribute(const Eigen::VectorXd& r, Eigen::VectorXf& p);
 
     Workers& workers_;
     ReducedFrame frame_;
+    /// The coordinate across the rows of the grid, which is that across the columns of sites.
+    int across_;
     double area_per_site_;
     int n_sites_;
     /// The position of each site on the grid: fractional row and column.

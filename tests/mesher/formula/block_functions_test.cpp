@@ -180,6 +180,36 @@ TEST(BlockFunctions, ErrorsOfPairsAreAtMostTwoUnitsInTheLastPlace) {
     expect_close("atan2", block_atan2, atan2l, 2);
 }
 
+// Blocks of positive normal numbers have loops of their own.
+TEST(BlockFunctions, PowersDoNotDependOnTheirNeighbours) {
+    Arguments arguments(3);
+    for (int round = 0; round < 300; ++round) {
+        std::vector<double> a(kBlock);
+        std::vector<double> b(kBlock);
+        for (int k = 0; k < kBlock; ++k) {
+            a[k] = round % 2 == 0 ? arguments.uniform(0.01, 3)
+                                  : std::exp2(arguments.uniform(-1021.9, 1023.9));
+            b[k] = arguments.uniform(-707, 707) / std::log(a[k]);
+        }
+        std::vector<double> alone(kBlock);
+        block_pow(a.data(), b.data(), alone.data(), kBlock);
+        for (int k = 0; k < kBlock; ++k) {
+            ASSERT_LE(units_between(alone[k], powl(a[k], b[k])), 1) << a[k] << " ^ " << b[k];
+        }
+        // Some numbers that need the other loops.
+        for (int k = round % 64; k < kBlock; k += 64) {
+            (round % 3 == 0 ? b : a)[k] = arguments.special();
+        }
+        std::vector<double> among(kBlock);
+        block_pow(a.data(), b.data(), among.data(), kBlock);
+        for (int k = 0; k < kBlock; ++k) {
+            ASSERT_EQ(std::bit_cast<std::uint64_t>(among[k]),
+                      std::bit_cast<std::uint64_t>(one_of_block(block_pow, a[k], b[k])))
+                << a[k] << " ^ " << b[k];
+        }
+    }
+}
+
 TEST(BlockFunctions, SpecialPairsGiveTheResultsOfTheLibrary) {
     for (const double a : kSpecials) {
         for (const double b : kSpecials) {

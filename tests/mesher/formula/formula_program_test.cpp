@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "mesher/formula/block_arithmetic.hpp"
@@ -96,6 +97,62 @@ TEST(FormulaProgram, BlocksAgreeWithSinglePoints) {
         }
         const double* const values = evaluate(n);
         for (int k = 0; k < n; ++k) ASSERT_EQ(values[k], expected[k]);
+    }
+}
+
+/// (x - 0.1)^2.
+void push_square(FormulaProgram& program) {
+    program.push_variable(0);
+    program.push_number(0.1);
+    program.apply(block_subtract);
+    program.push_number(2);
+    program.apply_power();
+}
+
+// Pairs of operators that become one operation, with rows that are used before and afterwards.
+TEST(FormulaProgram, PairsOfOperatorsKeepTheirBits) {
+    FormulaProgram square(2);  // y + (x - 0.1)^2
+    square.push_variable(1);
+    push_square(square);
+    square.apply(block_add);
+    FormulaProgram squares(2);  // ((x - 0.1)^2 + (x - 0.1)^2) + exp(y)
+    push_square(squares);
+    push_square(squares);
+    squares.apply(block_add);
+    squares.push_variable(1);
+    squares.apply(block_exp);
+    squares.apply(block_add);
+    FormulaProgram product(2);  // (x y + 7) / (y + y x)
+    product.push_variable(0);
+    product.push_variable(1);
+    product.apply(block_multiply);
+    product.push_number(7);
+    product.apply(block_add);
+    product.push_variable(1);
+    product.push_variable(1);
+    product.push_variable(0);
+    product.apply(block_multiply);
+    product.apply(block_add);
+    product.apply(block_divide);
+    FormulaProgram quotient(2);  // -x / 3 + -y / x
+    quotient.push_variable(0);
+    quotient.apply(block_negative);
+    quotient.push_number(3);
+    quotient.apply(block_divide);
+    quotient.push_variable(1);
+    quotient.apply(block_negative);
+    quotient.push_variable(0);
+    quotient.apply(block_divide);
+    quotient.apply(block_add);
+    std::mt19937_64 random(5);
+    for (int k = 0; k < 1000; ++k) {
+        const double x = 4e-19 * static_cast<double>(random());
+        const double y = 3e-19 * static_cast<double>(random()) - 2;
+        const double s = (x - 0.1) * (x - 0.1);
+        ASSERT_EQ(value_of(square, x, y), y + s);
+        ASSERT_EQ(value_of(squares, x, y), (s + s) + one_of_block(block_exp, y));
+        ASSERT_EQ(value_of(product, x, y), (x * y + 7) / (y + y * x));
+        ASSERT_EQ(value_of(quotient, x, y), -x / 3 + -y / x);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesher/plane/delaunay/moving_delaunay.hpp"
 #include "mesher/plane/geometry/sites.hpp"
@@ -19,6 +20,7 @@ using testing::lattices;
 void expect_columns(const Sites& sites) {
     const SpatialSort columns = columns_of(sites);
     const Points& u = sites.coordinates();
+    const int across = columns.across;
     std::vector<SiteId> ids = columns.order;
     std::sort(ids.begin(), ids.end());
     for (SiteId s = 0; s < sites.n_sites(); ++s) ASSERT_EQ(ids[s], s);
@@ -32,11 +34,11 @@ void expect_columns(const Sites& sites) {
         double highest = reached;
         for (int m = columns.begin[k]; m < columns.begin[k + 1]; ++m) {
             const SiteId s = columns.order[m];
-            ASSERT_GE(u(0, s), reached);
-            highest = std::max(highest, u(0, s));
+            ASSERT_GE(u(across, s), reached);
+            highest = std::max(highest, u(across, s));
             if (m == columns.begin[k]) continue;
             const SiteId t = columns.order[m - 1];
-            ASSERT_LE(std::pair(u(1, t), t), std::pair(u(1, s), s));
+            ASSERT_LE(std::pair(u(1 - across, t), t), std::pair(u(1 - across, s), s));
         }
         reached = highest;
     }
@@ -69,11 +71,39 @@ TEST(SpatialSort, ColumnsAreAsFarApartAsTheirSites) {
     for (const auto& [name, lattice] : lattices()) {
         const Sites sites(lattice, uniform_points(lattice, 10000, 6));
         const Lattice& reduced = sites.reduction().reduced;
-        const int n_columns = columns_of(sites).n_columns();
-        const double apart = reduced.area() / reduced.b().norm() / n_columns;
-        const double along = reduced.b().norm() / (10000.0 / n_columns);
+        const SpatialSort columns = columns_of(sites);
+        const double length = (columns.across == 0 ? reduced.b() : reduced.a()).norm();
+        const double apart = reduced.area() / length / columns.n_columns();
+        const double along = length / (10000.0 / columns.n_columns());
         EXPECT_NEAR(apart / along, 1, 0.2) << name;
     }
+}
+
+// Columns along the long period of 20 x 1 would have 447 sites.
+TEST(SpatialSort, ColumnsAreShortInThinDomains) {
+    const auto longest_column = [](const Lattice& lattice, int n) {
+        const SpatialSort columns = columns_of(Sites(lattice, uniform_points(lattice, n, 8)));
+        return n / columns.n_columns() + 1;
+    };
+    for (const auto& [name, lattice] : lattices()) {
+        EXPECT_LE(longest_column(lattice, 10000), std::sqrt(2.0) * 110) << name;
+    }
+    EXPECT_LE(longest_column(Lattice::rectangle(20, 1), 10000), 25);
+    EXPECT_LE(longest_column(Lattice::rectangle(1e-3, 1), 10000), 5);
+}
+
+// Up to a ratio of 2 columns go along the second vector of the reduced basis, and files keep their
+// bytes.
+TEST(SpatialSort, ColumnsOfNearlySquareDomainsGoAlongTheSecondVector) {
+    const auto across = [](const Lattice& lattice) {
+        return columns_of(Sites(lattice, uniform_points(lattice, 10, 9))).across;
+    };
+    EXPECT_EQ(across(Lattice::rectangle(1, 1)), 0);
+    EXPECT_EQ(across(Lattice::rectangle(1, 2)), 0);
+    EXPECT_EQ(across(Lattice::rectangle(2, 1)), 0);
+    EXPECT_EQ(across(Lattice::rectangle(2.01, 1)), 1);
+    EXPECT_EQ(across(Lattice::rectangle(1, 2.01)), 1);
+    EXPECT_EQ(across(Lattice({1, 0}, {7, 1})), 0);
 }
 
 /// Between sites of successive numbers, in units of h.

@@ -53,17 +53,17 @@ TEST(LongWaves, AreLinear) {
 }
 
 /// Regular hexagons of width 1.
-MovingDelaunay hexagons(int side) {
-    Points points(2, 2 * side * side);
-    for (int k = 0; k < side * side; ++k) {
-        points.col(2 * k) << k % side, std::sqrt(3.0) * (k / side);
-        points.col(2 * k + 1) << k % side + 0.5, std::sqrt(3.0) * (k / side + 0.5);
+MovingDelaunay hexagons(int width, int height) {
+    Points points(2, 2 * width * height);
+    for (int k = 0; k < width * height; ++k) {
+        points.col(2 * k) << k % width, std::sqrt(3.0) * (k / width);
+        points.col(2 * k + 1) << k % width + 0.5, std::sqrt(3.0) * (k / width + 0.5);
     }
-    return MovingDelaunay{Sites(Lattice::rectangle(side, std::sqrt(3.0) * side), points)};
+    return MovingDelaunay{Sites(Lattice::rectangle(width, std::sqrt(3.0) * height), points)};
 }
 
 TEST(LongWaves, MoveAllSitesTogetherAsOneSiteAlone) {
-    const MovingDelaunay delaunay = hexagons(15);
+    const MovingDelaunay delaunay = hexagons(15, 15);
     Workers workers(1);
     LongWaves waves(delaunay, workers);
     const double local = 1 / (2 * std::pow(delaunay.spacing(), 2));
@@ -86,14 +86,14 @@ VectorXd stiffness(MovingDelaunay& delaunay, const VectorXf& direction) {
     return change - energy.gradient / kPart;
 }
 
-TEST(LongWaves, DivideTheLongestWavesByTheirStiffness) {
-    MovingDelaunay delaunay = hexagons(40);
+/// Waves along one period vector that move sites in both directions.
+void expect_division(MovingDelaunay& delaunay, int coordinate) {
     Workers workers(1);
     LongWaves waves(delaunay, workers);
     for (const Vec2& along : {Vec2(1, 0), Vec2(0, 1)}) {
         VectorXf wave(2 * delaunay.n_sites());
         for (int s = 0; s < delaunay.n_sites(); ++s) {
-            const double phase = 2 * std::numbers::pi * delaunay.coordinates()(0, s);
+            const double phase = 2 * std::numbers::pi * delaunay.coordinates()(coordinate, s);
             wave.segment<2>(2 * s) = (along * std::cos(phase)).cast<float>();
         }
         const VectorXd answer = apply(waves, stiffness(delaunay, wave));
@@ -102,6 +102,18 @@ TEST(LongWaves, DivideTheLongestWavesByTheirStiffness) {
         EXPECT_NEAR(part, 0.4, 0.03);
         EXPECT_LT((answer - part * wave.cast<double>()).norm(), 0.03 * answer.norm());
     }
+}
+
+TEST(LongWaves, DivideTheLongestWavesByTheirStiffness) {
+    MovingDelaunay delaunay = hexagons(40, 40);
+    expect_division(delaunay, 0);
+}
+
+// Here columns of sites, and rows of the grid, go along the first period vector.
+TEST(LongWaves, DivideTheLongestWavesOfThinDomainsByTheirStiffness) {
+    MovingDelaunay delaunay = hexagons(120, 30);
+    expect_division(delaunay, 0);
+    expect_division(delaunay, 1);
 }
 
 TEST(LongWaves, ComputeTheSameBitsForAnyNumberOfWorkers) {
