@@ -583,6 +583,7 @@ ROWS = {
     ("Tests", "Run all tests"): Row(reason="this runs inside of tests/run"),
     ("Tests", "Run one test"): Row(reason="it builds, as tests/run did before"),
     ("Tests", "The wheel in an empty root"): Row(reason="by hand: it makes a root; ctest runs install_wheel"),
+    ("Tests", "Edit one file often"): Row(reason="a second build of some minutes, by hand"),
     ("Tests", "Compile each file alone"): Row(reason="an hour of compiling, by hand"),
     ("Tests", "Memory"): Row(reason="a campaign; ctest runs a sample"),
     ("Tests", "Fuzz the readers"): Row(reason="a campaign; ctest replays its inputs"),
