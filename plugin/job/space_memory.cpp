@@ -29,6 +29,8 @@ constexpr double kVoxelInSpace = 10;
 constexpr double kGrainsOfCell = 130;
 constexpr double kGrainsOfCube = 24;
 constexpr double kGrainBytes = 1500;
+/// The bytes that nodes in the middle of edges add for each.
+constexpr double kMiddleNodes = 1000;
 
 /// The tetrahedra inside of a cell to expect.
 double grains_of_cell(const Job& job) {
@@ -52,7 +54,8 @@ double largest_bytes(const Job& job, const std::vector<JobFile>& files) {
         a_site = std::max(a_site, file.format->space->memory + left);
         if (file.format->space->shows_tetrahedra(job.meshes.front())) held = kHeldTetrahedra;
     }
-    const double grains = kGrainBytes * grains_of_cell(job);
+    const double grains =
+        (kGrainBytes + (job.tile.order == 2 ? kMiddleNodes : 0)) * grains_of_cell(job);
     return a_site + (grains > 0 ? grains : held);
 }
 

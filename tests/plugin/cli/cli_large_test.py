@@ -82,6 +82,14 @@ class Large(CliTest):
                 self.assertGreater(ratio, 1)
                 self.assertLess(ratio, 1.5)
 
+    def test_the_estimate_of_tetrahedra_in_random_cells_lies_above_the_peak(self):
+        for order in (1, 2):
+            with self.subTest(order):
+                ratio = self.estimate_by_peak("--sites", 60, "--period", "1,1,1", "--max-iterations", 0, "--mesh", "grains",
+                                              "--order", order, "-o", "t.inp")
+                self.assertGreater(ratio, 1)
+                self.assertLess(ratio, 2)
+
     def test_a_run_in_space_that_cannot_fit_is_refused_before_it_begins(self):
         small = limit(resource.RLIMIT_AS, 4 << 30)
         self.refuse(4, r"^pcvt: the run takes about \S+ GB of memory, and \S+ GB are available; take fewer sites",
