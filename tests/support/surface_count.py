@@ -104,7 +104,7 @@ def count_of(mesh):
     if not getattr(mesh, "is_rounded", False) and mesh.owners[0] >= 0:
         return count_of_polyhedra(mesh)
     for cell in mesh.cells:
-        edges = np.array([edge for face in cell for edge in zip(face, face[1:] + face[:1])])
+        edges = np.array([edge for face in cell for edge in zip(face, face[1:] + face[:1]) if edge[0] != edge[1]])
         _, which = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True)
         sums = np.bincount(which.reshape(-1), np.where(edges[:, 0] < edges[:, 1], 1, -1))
         require(sums == 0, "a surface does not close")
