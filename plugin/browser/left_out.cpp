@@ -133,7 +133,7 @@ space::Grains space::mesh_grains(const Sites& /*sites*/, const CellComplex& /*co
 }
 
 space::CellComplex space::cells_in_box(const Sites& /*sites*/, const CellComplex& /*complex*/,
-                                       const Vec3& /*origin*/) {
+                                       const Vec3& /*origin*/, double /*snapped*/) {
     throw InvalidInput("this module cuts no cells of space at a box; take the command");
 }
 

@@ -15,9 +15,9 @@ space::Vec3 tile_origin(const Job& job, const space::Tessellation& cells) {
 }
 
 space::CellComplex outlined_cells(const Job& job, const space::Tessellation& cells,
-                                  space::CellComplex complex) {
+                                  space::CellComplex complex, double snapped) {
     if (job.tile.outline != plane::Outline::kBox) return complex;
-    return cells_in_box(cells.sites(), complex, tile_origin(job, cells));
+    return cells_in_box(cells.sites(), complex, tile_origin(job, cells), snapped);
 }
 
 void make_box(const space::Vec3& origin, SpaceTile& tile) {

@@ -15,9 +15,10 @@ space::Vec3 tile_origin(const Job& job, const space::Tessellation& cells);
 /// Example usage:
 ///     const space::CellComplex complex = outlined_cells(job, cells, cells.complex());
 ///
+/// @param snapped  as cells_in_box() takes it.
 /// @throws space::UncutCells
 space::CellComplex outlined_cells(const Job& job, const space::Tessellation& cells,
-                                  space::CellComplex complex);
+                                  space::CellComplex complex, double snapped = 0);
 
 /// Completes a tile of pieces whose weights and materials are those of the cells: gives these to
 /// the pieces, and puts the points of the sides exactly there. If the box cuts no cell, the tile

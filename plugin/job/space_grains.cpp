@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesher/space/box/box_cells.hpp"
 #include "mesher/space/box/box_sides.hpp"
 #include "mesher/space/grains/grains.hpp"
 #include "mesher/space/mesh/short_edges.hpp"
@@ -14,6 +15,8 @@ namespace {
 /// Edges below this part of h are removed from Voronoi cells: nobody sees them, and each would take
 /// layers of ever smaller tetrahedra.
 constexpr double kShortGrainEdgeInSpace = 1e-3;
+/// Vertices are snapped to a side of the box over this part of the shortest edges that remain.
+constexpr double kSnappedOverShort = 0.1;
 
 SpaceGrainFigures figures_of(const space::Grains& grains) {
     const space::TetrahedralMesh& mesh = grains.mesh.tetrahedra;
@@ -43,8 +46,8 @@ SpaceGrains build_space_grains(const Job& job, const space::Tessellation& cells,
                                 ? job.tile.short_edges
                                 : std::max(job.tile.short_edges, kShortGrainEdgeInSpace);
     const space::CellComplex complex = outlined_cells(
-        job, cells,
-        without_short_edges(cells.complex(), shortest, space::ShrinkRule::kWideCorners));
+        job, cells, without_short_edges(cells.complex(), shortest, space::ShrinkRule::kWideCorners),
+        std::max(space::kSnappedVertices, kSnappedOverShort * shortest));
     const space::Vec3 origin = tile_origin(job, cells);
     Workers workers(job.run.n_threads);
     space::Grains grains = mesh_grains(

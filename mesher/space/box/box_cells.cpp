@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "mesher/space/box/plane_cut.hpp"
 
@@ -15,6 +16,8 @@ namespace {
 /// so that the corners of a face may lie that far from its plane; the last tolerance is for faces
 /// in a side of the box.
 constexpr std::array kTolerances{1e-10, 1e-12, 4e-9};
+/// Where snapped vertices make polyhedra of no kind, fewer are tried.
+constexpr double kNextSnap = 30;
 constexpr std::array kAxes{"first", "second", "third"};
 
 /// Offsets in the two bases of a lattice.
@@ -84,10 +87,19 @@ bool is_closed(const CellComplex& complex) {
 }
 
 /// Cuts along one axis, with the first tolerance that gives polyhedra.
-CutCells cut_soundly(int axis, const Vec3& origin, double spacing, const CutCells& whole) {
-    for (const double tolerance : kTolerances) {
+CutCells cut_soundly(int axis, const Vec3& origin, double spacing, double snapped,
+                     const CutCells& whole) {
+    std::vector<Nearness> tries;
+    if (snapped > 0) {
+        tries = {{kTolerances[0], snapped}, {kTolerances[0], snapped / kNextSnap}};
+    }
+    for (const double tolerance : kTolerances) tries.push_back({tolerance});
+    for (auto [all, with_long_edges] : tries) {
         CutCells cut = whole;
-        if (cut_along(axis, origin, tolerance * spacing, cut) && is_closed(cut.complex)) return cut;
+        if (cut_along(axis, origin, {all * spacing, with_long_edges * spacing}, cut) &&
+            is_closed(cut.complex)) {
+            return cut;
+        }
     }
     throw UncutCells(std::string("the sides of the box across the ") + kAxes[axis] +
                      " period vector nearly contain a face of a cell; take another --origin, or "
@@ -123,7 +135,8 @@ void move_into_box(CutCells& cells) {
 
 }  // namespace
 
-CellComplex cells_in_box(const Sites& sites, const CellComplex& complex, const Vec3& origin) {
+CellComplex cells_in_box(const Sites& sites, const CellComplex& complex, const Vec3& origin,
+                         double snapped) {
     const Lattice& lattice = sites.lattice();
     // Cut at an origin near 0, where coordinates have the fewest roundings.
     const Vec3 u = lattice.to_lattice(origin);
@@ -137,7 +150,9 @@ CellComplex cells_in_box(const Sites& sites, const CellComplex& complex, const V
     std::iota(cells.cell.begin(), cells.cell.end(), 0);
     cells.slab.resize(cells.cell.size());
     cells.level.resize(complex.vertices.size());
-    for (int axis = 0; axis < 3; ++axis) cells = cut_soundly(axis, near, sites.spacing(), cells);
+    for (int axis = 0; axis < 3; ++axis) {
+        cells = cut_soundly(axis, near, sites.spacing(), snapped, cells);
+    }
     move_into_box(cells);
     CellComplex pieces = std::move(cells.complex);
     const Vec3 back = lattice.to_position(whole);

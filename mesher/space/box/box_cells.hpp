@@ -11,6 +11,12 @@ class UncutCells : public LimitExceeded {
     using LimitExceeded::LimitExceeded;
 };
 
+/// The distance from a side of the box, a part of h, below which vertices are snapped to it where
+/// cells are filled with tetrahedra: without that, a side that passes through faces of cells up to
+/// rounding, or up to the residual of an optimisation, would cut off plates and needles thinner
+/// than tetrahedra can be.
+inline constexpr double kSnappedVertices = 1e-5;
+
 /// Cuts cells along the sides of the box at `origin` and along those of all its images.
 ///
 /// The result is a complex of the same torus, whose cells are the pieces. Everything that is
@@ -31,7 +37,11 @@ class UncutCells : public LimitExceeded {
 ///
 /// @param complex  of these sites, also without its short edges.
 /// @param origin   the corner of the box, length units.
+/// @param snapped  vertices nearer to a side than this part of h are moved to it, except at edges
+///                 shorter than kEdgeOverSnap times that; faces bend by as much, and law (3) holds
+///                 up to it.
 /// @throws UncutCells  naming the side of the box.
-CellComplex cells_in_box(const Sites& sites, const CellComplex& complex, const Vec3& origin);
+CellComplex cells_in_box(const Sites& sites, const CellComplex& complex, const Vec3& origin,
+                         double snapped = 0);
 
 }  // namespace pcvt::space

@@ -39,12 +39,8 @@ struct LevelRange {
 
 class PlaneCut {
    public:
-    PlaneCut(int axis, const Vec3& origin, double tolerance, CutCells& cells)
-        : axis_(axis),
-          origin_(origin),
-          tolerance_(tolerance),
-          cells_(cells),
-          complex_(cells.complex) {}
+    PlaneCut(int axis, const Vec3& origin, const Nearness& near, CutCells& cells)
+        : axis_(axis), origin_(origin), near_(near), cells_(cells), complex_(cells.complex) {}
 
     bool run() {
         find_levels();
@@ -71,12 +67,31 @@ class PlaneCut {
         p += (plane - height(p)) * complex_.reduced.periods()[axis_];
     }
 
+    /// For each vertex how near to a plane it lies on it.
+    std::vector<double> nearness() const {
+        const std::size_t n = complex_.vertices.size();
+        if (near_.snapped == 0) return std::vector<double>(n, near_.all);
+        std::vector<double> shortest(n, kEdgeOverSnap * near_.snapped);
+        for (int f = 0; f < complex_.n_faces(); ++f) {
+            const Polygon corners = complex_.corners_of(f);
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                const VertexImage& a = corners[k];
+                const VertexImage& b = corners[(k + 1) % corners.size()];
+                const double edge = (complex_.position(b) - complex_.position(a)).norm();
+                for (const int v : {a.vertex, b.vertex}) shortest[v] = std::min(shortest[v], edge);
+            }
+        }
+        for (double& edge : shortest) edge = std::max(near_.all, edge / kEdgeOverSnap);
+        return shortest;
+    }
+
     void find_levels() {
-        const double near = tolerance_ / complex_.reduced.heights()[axis_];
+        const double spacing = complex_.reduced.heights()[axis_];
+        const std::vector<double> near = nearness();
         for (std::size_t v = 0; v < complex_.vertices.size(); ++v) {
             const double u = height(complex_.vertices[v]);
             const double plane = std::round(u);
-            const bool is_on = std::abs(u - plane) <= near;
+            const bool is_on = std::abs(u - plane) <= near[v] / spacing;
             if (is_on) put_on(static_cast<int>(plane), complex_.vertices[v]);
             cells_.level[v][axis_] =
                 is_on ? 2 * static_cast<int>(plane) : 2 * static_cast<int>(std::floor(u)) + 1;
@@ -307,7 +322,7 @@ class PlaneCut {
 
     int axis_;
     const Vec3& origin_;
-    double tolerance_;
+    Nearness near_;
     CutCells& cells_;
     CellComplex& complex_;
     bool is_sound_ = true;
@@ -328,8 +343,8 @@ class PlaneCut {
 
 }  // namespace
 
-bool cut_along(int axis, const Vec3& origin, double tolerance, CutCells& cells) {
-    return PlaneCut(axis, origin, tolerance, cells).run();
+bool cut_along(int axis, const Vec3& origin, const Nearness& near, CutCells& cells) {
+    return PlaneCut(axis, origin, near, cells).run();
 }
 
 }  // namespace pcvt::space

@@ -22,6 +22,15 @@ struct CutCells {
     std::vector<std::array<int, 3>> level = {};
 };
 
+/// How near to a plane vertices lie on it, length units.
+struct Nearness {
+    /// All vertices.
+    double all;
+    /// Vertices whose shortest edge is kEdgeOverSnap times as long, so that no edge vanishes.
+    double snapped = 0;
+};
+inline constexpr double kEdgeOverSnap = 8;
+
 /// Cuts all cells along the planes on which one coordinate is an integer.
 ///
 /// A level is found once for each vertex; all later decisions compare integers. A new vertex is
@@ -32,9 +41,9 @@ struct CutCells {
 ///   (1) V - E + F - C remains what it was.
 ///
 /// @param axis       of u = lattice.to_lattice(position - origin), 0 to 2.
-/// @param tolerance  vertices so near to a plane lie on it, length units.
+/// @param near       vertices that lie on a plane.
 /// @returns whether the pieces are polyhedra; false where rounding, or faces that are not plane,
 ///          let a plane cross a face more than twice.
-bool cut_along(int axis, const Vec3& origin, double tolerance, CutCells& cells);
+bool cut_along(int axis, const Vec3& origin, const Nearness& near, CutCells& cells);
 
 }  // namespace pcvt::space

@@ -6,17 +6,18 @@
 namespace pcvt::space {
 namespace {
 
-/// The least volume of a new tetrahedron, times 6, over the cube of the longest edge of its
-/// triangle: 1e10 times the rounding.
-constexpr double kSeen = 1e-6;
 /// A cavity of more tetrahedra loses all unseen ones in one pass: in a flat cell each sphere holds
 /// most of them.
 constexpr std::size_t kLarge = 200;
+/// The volumes of Sight, times 6.
+constexpr double kSeenWide = 1e-6;
+constexpr double kSeenFar = 1e-12;
 
 }  // namespace
 
-bool Cavity::find(const Vec3& x, int holder) {
+bool Cavity::find(const Vec3& x, int holder, Sight sight) {
     x_ = x;
+    least_volume6_ = sight == Sight::kWide ? kSeenWide : kSeenFar;
     std::vector<char>& marks = cell_.marks();
     grow(holder);
     const bool found = shrink(holder);
@@ -84,7 +85,7 @@ bool Cavity::sees_sides_of(int t, bool& blocked) {
         const Vec3& c = cell_.point(triangle[2]);
         const double longest =
             std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
-        if (-volume6(a, b, c, x_) < kSeen * longest * std::sqrt(longest)) {
+        if (-volume6(a, b, c, x_) < least_volume6_ * longest * std::sqrt(longest)) {
             blocked = o < 0;
             return false;
         }
@@ -145,6 +146,16 @@ bool Cavity::has_room(double from_vertices, double from_hull) const {
             cross_product(cell_.point(t.corners[1]) - a, cell_.point(t.corners[2]) - a);
         return dot_product(normal, a - x_) >= from_hull * length(normal);
     });
+}
+
+double Cavity::flatness() const {
+    double least = kUnlimited;
+    for (const Triangle& t : boundary_) {
+        const auto& [a, b, c] = t.corners;
+        least = std::min(
+            least, CellTetrahedra::flatness_of(x_, cell_.point(a), cell_.point(b), cell_.point(c)));
+    }
+    return least;
 }
 
 void Cavity::fill(double size) {

@@ -20,9 +20,14 @@ class Cavity {
    public:
     explicit Cavity(CellTetrahedra& cell) : cell_(cell) {}
 
+    /// The least volume of a new tetrahedron over the cube of the longest edge of its triangle:
+    /// 1e10 times the rounding, or, for flat ones that become less flat, 1e4 times.
+    enum class Sight { kWide, kFar };
     /// Finds the cavity of x from the tetrahedron that holds it.
     /// @returns false if there is none: x lies too near to a triangle that must stay.
-    bool find(const Vec3& x, int holder);
+    bool find(const Vec3& x, int holder, Sight sight = Sight::kWide);
+    /// The least CellTetrahedra::flatness_of() of the tetrahedra that fill() would make.
+    double flatness() const;
     /// The target size at x, from those of the vertices round the cavity, at most `largest`.
     double size(double largest) const;
     /// Whether x is at least this far from all vertices round the cavity, and from the triangles of
@@ -51,6 +56,7 @@ class Cavity {
 
     CellTetrahedra& cell_;
     Vec3 x_ = Vec3::Zero();
+    double least_volume6_ = 0;
     std::vector<int> inside_;
     std::vector<int> kept_;
     std::vector<Triangle> boundary_;

@@ -1,12 +1,12 @@
 #include "mesher/space/grains/cell_edges.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 #include <tuple>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/portable/portable_functions.hpp"
 #include "mesher/space/grains/tetrahedron_shape.hpp"
 
 namespace pcvt::space {
@@ -81,25 +81,61 @@ std::vector<double> vertex_sizes(const CellComplex& complex, const std::vector<d
     return sizes;
 }
 
+/// The target size along an edge: it rises from those at both ends by kSizeGrowth, up to the size
+/// of the edge. Distances are from the first end, length units.
+class SizeAlong {
+   public:
+    SizeAlong(double length, double first, double last, double largest)
+        : length_(length),
+          first_(first),
+          last_(last),
+          top_(std::min({largest, (first + last + kSizeGrowth * length) / 2,
+                         first + kSizeGrowth * length, last + kSizeGrowth * length})),
+          rise_(std::max(0.0, top_ - first) / kSizeGrowth),
+          flat_(std::max(0.0, length - rise_ - std::max(0.0, top_ - last) / kSizeGrowth)),
+          to_rise_(rise_ > 0 ? portable_log(top_ / first) / kSizeGrowth : 0),
+          to_flat_(to_rise_ + flat_ / top_),
+          whole_(to_flat_ + (top_ > last ? portable_log(top_ / last) / kSizeGrowth : 0)) {}
+
+    /// The integral of 1 / size over the whole edge.
+    double whole() const { return whole_; }
+    /// The distance up to which the integral has a value.
+    double distance_of(double integral) const {
+        if (integral < to_rise_) return grown(first_, integral);
+        if (integral < to_flat_) return rise_ + (integral - to_rise_) * top_;
+        return length_ - grown(last_, whole_ - integral);
+    }
+
+   private:
+    /// The distance from an end over which the integral grows from 0 to a value.
+    static double grown(double size, double integral) {
+        return size * (portable_exp(kSizeGrowth * integral) - 1) / kSizeGrowth;
+    }
+
+    double length_;
+    double first_;
+    double last_;
+    /// The largest size.
+    double top_;
+    /// The lengths over which the size rises and remains the same.
+    double rise_;
+    double flat_;
+    /// The integrals up to their ends.
+    double to_rise_;
+    double to_flat_;
+    double whole_;
+};
+
 /// Divides an edge into round(integral of 1 / size) parts with equal integrals.
 void divide(const CellComplex& complex, const std::vector<double>& vertex_size, CellEdge& edge) {
-    constexpr int kSteps = 256;
-    const double whole = distance(complex.position(edge.from), complex.position(edge.to));
-    std::array<double, kSteps + 1> integral{};
-    for (int k = 0; k < kSteps; ++k) {
-        const double x = (k + 0.5) / kSteps * whole;
-        const double size = std::min({edge.size, vertex_size[edge.from.vertex] + kSizeGrowth * x,
-                                      vertex_size[edge.to.vertex] + kSizeGrowth * (whole - x)});
-        integral[k + 1] = integral[k] + whole / kSteps / size;
-    }
-    const long n_parts = std::max(1L, std::lround(integral[kSteps]));
-    int k = 0;
+    const double length = distance(complex.position(edge.from), complex.position(edge.to));
+    const SizeAlong size(length, vertex_size[edge.from.vertex], vertex_size[edge.to.vertex],
+                         edge.size);
+    const long n_parts = std::max(1L, std::lround(size.whole()));
     for (long part = 1; part < n_parts; ++part) {
-        const double target =
-            integral[kSteps] * static_cast<double>(part) / static_cast<double>(n_parts);
-        while (integral[k + 1] < target) ++k;
-        const double within = (target - integral[k]) / (integral[k + 1] - integral[k]);
-        edge.cuts.push_back((k + within) / kSteps);
+        const double integral =
+            size.whole() * (static_cast<double>(part) / static_cast<double>(n_parts));
+        edge.cuts.push_back(size.distance_of(integral) / length);
     }
 }
 

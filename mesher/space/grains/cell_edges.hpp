@@ -44,6 +44,7 @@ inline constexpr double kSizeGrowth = 0.6;
 /// Laws, tested by number:
 ///   (1) Each edge of a face is the image of one edge; its ends are the corners of the face.
 ///   (2) No part is longer than about the size of a cell at it.
+///   (3) The parts at a vertex are no longer than about its size, however small.
 ///
 /// @param cell_size  the target length of the edges of elements in each cell, length units.
 CellEdges cell_edges(const CellComplex& complex, const std::vector<double>& cell_size);

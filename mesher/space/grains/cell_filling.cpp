@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/space/grains/flat_tetrahedra.hpp"
 #include "mesher/space/grains/tetrahedron_flips.hpp"
 #include "mesher/space/grains/vertex_insertion.hpp"
 
@@ -127,6 +128,7 @@ int n_below(const CellTetrahedra& cell, double quality) {
 
 void climb(CellTetrahedra& cell, int n_relaxations) {
     Climb(cell).run(n_relaxations);
+    divide_flat(cell);
     cell.release_memory();
 }
 
@@ -146,6 +148,7 @@ std::optional<CellTetrahedra> fill_cell(const CellHull& hull, double size) {
         if (!(cell.worst() > 0)) return std::nullopt;
         insert_lattice(cell, choices, *centre);
         refine(cell, choices);
+        divide_flat(cell);
         climb(cell, attempt.n_relaxations);
         const double quality = cell.worst();
         const bool is_hopeless =

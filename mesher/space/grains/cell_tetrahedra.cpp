@@ -69,17 +69,19 @@ double CellTetrahedra::worst() const {
     return least;
 }
 
-bool CellTetrahedra::is_flat(int t) const {
-    const FourCorners& c = corners_[t];
-    double longest = 0;
-    for (int i = 0; i < 4; ++i) {
-        for (int k = 0; k < i; ++k) {
-            longest = std::max(longest, squared_distance(points_[c[i]], points_[c[k]]));
-        }
-    }
-    const double volume6_of_t = volume6(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]);
-    return !(volume6_of_t > 6 * kFlat * longest * std::sqrt(longest));
+double CellTetrahedra::flatness_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const double longest =
+        std::max({squared_distance(a, b), squared_distance(a, c), squared_distance(a, d),
+                  squared_distance(b, c), squared_distance(b, d), squared_distance(c, d)});
+    return volume6(a, b, c, d) / (6 * longest * std::sqrt(longest));
 }
+
+double CellTetrahedra::flatness(int t) const {
+    const auto& [a, b, c, d] = corners_[t];
+    return flatness_of(points_[a], points_[b], points_[c], points_[d]);
+}
+
+bool CellTetrahedra::is_flat(int t) const { return !(flatness(t) > kFlat); }
 
 bool CellTetrahedra::has_corner(int t, int v) const {
     const FourCorners& c = corners_[t];

@@ -77,7 +77,10 @@ class CellTetrahedra {
         const std::array<int, 3>& order = kOutwardSides[k];
         return {c[order[0]], c[order[1]], c[order[2]]};
     }
-    /// Whether the volume is so small over the longest edge that proofs would refuse it.
+    /// The volume over the cube of the longest edge.
+    static double flatness_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+    double flatness(int t) const;
+    /// Whether the flatness is so small that proofs would refuse the tetrahedron.
     bool is_flat(int t) const;
     bool has_corner(int t, int v) const;
     /// The index of a corner of a tetrahedron.

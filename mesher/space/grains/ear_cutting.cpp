@@ -9,9 +9,14 @@
 namespace pcvt::space {
 namespace {
 
+/// The least height of a triangle over the extent of its face: 1e4 roundings. The positions of
+/// cells have some hundred times as many where a domain has a million cells.
+constexpr double kLeastHeight = 2e-12;
+
 class EarCutting {
    public:
-    explicit EarCutting(std::vector<Point2>& points) : points_(points), rest_(points.size()) {
+    explicit EarCutting(std::vector<Point2>& points)
+        : points_(points), extent_(extent_of(points)), rest_(points.size()) {
         std::iota(rest_.begin(), rest_.end(), 0);
     }
 
@@ -21,7 +26,7 @@ class EarCutting {
         if (rest_.size() == 3) {
             triangles_.push_back({rest_[0], rest_[1], rest_[2]});
         } else {
-            add_star();
+            make_star();
         }
         return std::move(triangles_);
     }
@@ -46,17 +51,19 @@ class EarCutting {
         const int c = at(k + 1);
         const double width = sine(a, b, c);
         if (width <= least) return -1;
-        const double flat =
-            kFlatTriangle * (square(points_[c] - points_[a]) + square(points_[b] - points_[a]) +
-                             square(points_[c] - points_[b]));
-        if (area2(a, b, c) <= flat) return -1;
+        const double squares = square(points_[c] - points_[a]) + square(points_[b] - points_[a]) +
+                               square(points_[c] - points_[b]);
+        const auto is_flat = [&](double area2) {
+            return is_flat_triangle(area2, squares, extent_);
+        };
+        if (is_flat(area2(a, b, c))) return -1;
         // What is left must not be flat either.
         if (rest_.size() == 4) {
             const int d = at(k + 2);
-            return area2(a, c, d) <= flat ? -1 : std::min(width, sine(a, c, d));
+            return is_flat(area2(a, c, d)) ? -1 : std::min(width, sine(a, c, d));
         }
-        const bool leaves_area =
-            std::any_of(rest_.begin(), rest_.end(), [&](int v) { return area2(a, c, v) > flat; });
+        const bool leaves_area = std::any_of(rest_.begin(), rest_.end(),
+                                             [&](int v) { return !is_flat(area2(a, c, v)); });
         return leaves_area ? width : -1;
     }
 
@@ -73,17 +80,24 @@ class EarCutting {
         return true;
     }
 
-    void add_star() {
-        Point2 middle = Point2::Zero();
-        for (const int v : rest_) middle += points_[v] / static_cast<double>(rest_.size());
-        const int centre = static_cast<int>(points_.size());
-        points_.push_back(middle);
-        for (int k = 0; k < static_cast<int>(rest_.size()); ++k) {
-            triangles_.push_back({centre, at(k), at(k + 1)});
+    /// Joins the whole polygon with its centroid. Where two sides are almost one straight line,
+    /// ears may leave the points on that line only, and their middle would lie on it, too.
+    void make_star() {
+        Point2 sum = Point2::Zero();
+        double area = 0;
+        const auto n = static_cast<int>(points_.size());
+        for (int k = 1; k + 1 < n; ++k) {
+            const double part = area2(0, k, k + 1);
+            area += part;
+            sum += part * (points_[k] + points_[k + 1] - 2 * points_[0]);
         }
+        points_.push_back(points_[0] + sum / (3 * area));
+        triangles_.clear();
+        for (int k = 0; k < n; ++k) triangles_.push_back({n, k, (k + 1) % n});
     }
 
     std::vector<Point2>& points_;
+    double extent_;
     /// The points that are not cut off.
     std::vector<int> rest_;
     std::vector<std::array<int, 3>> triangles_;
@@ -98,6 +112,18 @@ double smallest_sine(const Point2& a, const Point2& b, const Point2& c) {
     // The smallest angle lies between the two longer edges.
     const double product = std::max({ab * bc, bc * ca, ca * ab});
     return product > 0 ? cross2(b - a, c - a) / std::sqrt(product) : 0;
+}
+
+double extent_of(const std::vector<Point2>& points) {
+    double extent = 0;
+    for (const Point2& p : points) {
+        extent = std::max({extent, std::abs(p.x()), std::abs(p.y())});
+    }
+    return extent;
+}
+
+bool is_flat_triangle(double area2, double squares, double extent) {
+    return area2 <= kLeastHeight * extent * std::sqrt(squares);
 }
 
 std::vector<std::array<int, 3>> cut_ears(std::vector<Point2>& polygon) {

@@ -37,7 +37,9 @@ Point2 circumcentre(const Point2& a, const Point2& b, const Point2& c) {
 }  // namespace
 
 FaceTriangulation::FaceTriangulation(std::vector<Point2> boundary)
-    : points_(std::move(boundary)), n_boundary_(static_cast<int>(points_.size())) {
+    : points_(std::move(boundary)),
+      n_boundary_(static_cast<int>(points_.size())),
+      extent_(extent_of(points_)) {
     triangles_ = cut_ears(points_);
     link();
     std::vector<int> all(triangles_.size());
@@ -102,9 +104,9 @@ bool FaceTriangulation::may_flip(int t, int k) const {
     const int b = triangles_[t][next(k)];
     const int c = triangles_[t][last(k)];
     const int d = triangles_[other][apex_across(t, k)];
-    const double flat =
-        kFlatTriangle * (square(points_[b] - points_[c]) + square(points_[a] - points_[d]));
-    return area2(a, b, d) > flat && area2(a, d, c) > flat;
+    const double squares = square(points_[b] - points_[c]) + square(points_[a] - points_[d]);
+    return !is_flat_triangle(area2(a, b, d), squares, extent_) &&
+           !is_flat_triangle(area2(a, d, c), squares, extent_);
 }
 
 void FaceTriangulation::relink(int t, int from, int to) {
@@ -229,6 +231,7 @@ std::vector<int> FaceTriangulation::refine(const FaceLimits& limits) {
             if (segment >= 0) obstacles.push_back(segment);
             continue;
         }
+        *largest = 0;
         insert(centre, place);
         radius.resize(triangles_.size(), 0);
         for (const int s : changed_) update(s);

@@ -73,6 +73,7 @@ class FaceTriangulation {
 
     std::vector<Point2> points_;
     int n_boundary_;
+    double extent_;
     std::vector<std::array<int, 3>> triangles_;
     /// neighbours_[t][k]: the triangle across the edge opposite to corner k; -1 on the boundary.
     std::vector<std::array<int, 3>> neighbours_;

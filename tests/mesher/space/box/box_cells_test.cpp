@@ -278,5 +278,54 @@ TEST(BoxCells, AreProvedToBeTheCellsOfTheirSites) {
     EXPECT_THROW(prove_cell_sites(mesh, sites), NotATile);
 }
 
+/// Sides of the box that pass through faces, edges and vertices of cubes up to 1e-6 cut nothing off
+/// where vertices are snapped.
+TEST(SnappedVertices, LeaveNoThinPieces) {
+    Points points(3, 8);
+    for (int k = 0; k < 8; ++k) {
+        points.col(k) = Vec3(0.25, 0.25, 0.25) + Vec3(k & 1, k >> 1 & 1, k >> 2) / 2;
+    }
+    const PeriodicDelaunay delaunay = periodic_delaunay(Sites(Lattice::box(1, 1, 1), points));
+    const CellComplex cells = cell_complex(delaunay.sites, delaunay.tetrahedra);
+    for (const Vec3& origin : {Vec3(1e-6, -2e-6, 3e-6), Vec3(2e-6, 0.2, -1e-6)}) {
+        const CellComplex pieces = cells_in_box(delaunay.sites, cells, origin, kSnappedVertices);
+        EXPECT_EQ(euler(pieces), 0);
+        const std::vector<CellBody> bodies = cell_bodies(pieces);
+        double least = 1;
+        for (const CellBody& body : bodies) least = std::min(least, body.volume);
+        EXPECT_GT(least, 0.01);
+        EXPECT_EQ(pieces.n_cells, origin.y() < 0.1 ? 8 : 12);
+        const CellComplex cut = cells_in_box(delaunay.sites, cells, origin);
+        EXPECT_GT(cut.n_cells, pieces.n_cells);
+    }
+}
+
+/// An edge of 1e-6 keeps both ends, though both are near to a side.
+TEST(SnappedVertices, RemainApartWhereAnEdgeIsShorter) {
+    const Lattice cube = Lattice::box(1, 1, 1);
+    std::mt19937_64 random(3);
+    Points points(3, 8);
+    for (int k = 0; k < 8; ++k) {
+        const Vec3 arm(testing::random_number(random), testing::random_number(random),
+                       testing::random_number(random));
+        points.col(k) = Vec3(0.25, 0.25, 0.25) + Vec3(k & 1, k >> 1 & 1, k >> 2) / 2 + 2e-6 * arm;
+    }
+    const PeriodicDelaunay delaunay = periodic_delaunay(Sites(cube, points));
+    const CellComplex cells = cell_complex(delaunay.sites, delaunay.tetrahedra);
+    const CellComplex pieces =
+        cells_in_box(delaunay.sites, cells, Vec3(0.5, 0.2, 0.3), kSnappedVertices);
+    EXPECT_EQ(euler(pieces), 0);
+    double shortest = 1;
+    for (int f = 0; f < pieces.n_faces(); ++f) {
+        const auto corners = pieces.corners_of(f);
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            shortest = std::min(shortest, (pieces.position(corners[k]) -
+                                           pieces.position(corners[(k + 1) % corners.size()]))
+                                              .norm());
+        }
+    }
+    EXPECT_GT(shortest, 1e-11);
+}
+
 }  // namespace
 }  // namespace pcvt::space

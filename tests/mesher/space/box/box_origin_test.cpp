@@ -30,7 +30,7 @@ double sum_of_cut(const SpaceCase& c, double plane) {
     std::iota(cells.cell.begin(), cells.cell.end(), 0);
     cells.slab.resize(cells.cell.size());
     cells.level.resize(cells.complex.vertices.size());
-    EXPECT_TRUE(cut_along(2, {0, 0, plane}, 1e-12, cells));
+    EXPECT_TRUE(cut_along(2, {0, 0, plane}, {1e-12}, cells));
     const CellComplex& complex = cells.complex;
     double sum = 0;
     for (int f = 0; f < complex.n_faces(); ++f) {

@@ -7,7 +7,9 @@
 #include <set>
 
 #include "mesher/base/error.hpp"
+#include "mesher/space/box/box_cells.hpp"
 #include "mesher/space/grains/cavity.hpp"
+#include "mesher/space/grains/flat_tetrahedra.hpp"
 #include "mesher/space/grains/tetrahedron_flips.hpp"
 #include "mesher/space/grains/vertex_insertion.hpp"
 #include "tests/support/polyhedra.hpp"
@@ -90,6 +92,37 @@ TEST(CellTetrahedra, StarAndRefinementsFillTheHull) {
         expect_filled(hull, cell);
         EXPECT_GT(cell.n_vertices(), cell.n_hull() + 1);
     }
+}
+
+double flattest(const CellTetrahedra& cell) {
+    double least = 1;
+    for (int t = 0; t < cell.n_numbers(); ++t) {
+        if (cell.is_alive(t)) least = std::min(least, cell.flatness(t));
+    }
+    return least;
+}
+
+/// The law of divide_flat(): the plate that a box cuts off beside a face of a cube.
+TEST(DivideFlat, JoinsNoTinyTriangleToAPointFarAway) {
+    const Sites site(Lattice::box(1, 1, 1), Points(Vec3(0.5, 0.5, 0.5)));
+    const PeriodicDelaunay delaunay = periodic_delaunay(site);
+    const CellComplex cube = cell_complex(delaunay.sites, delaunay.tetrahedra);
+    const CellComplex pieces = cells_in_box(delaunay.sites, cube, Vec3(1e-4, 0.4, 0.3));
+    Workers workers(1);
+    const std::vector<CellHull> hulls = cell_hulls(
+        pieces, grain_surface(pieces, std::vector<double>(pieces.n_cells, 0.6), workers));
+    double least = 1;
+    for (const CellHull& hull : hulls) {
+        CellTetrahedra cell = star_of(hull);
+        refine(cell, {.size = 0.6});
+        const double before = flattest(cell);
+        least = std::min(least, before);
+        divide_flat(cell);
+        EXPECT_GE(flattest(cell), before);
+        EXPECT_GT(flattest(cell), 2e-9);
+        expect_filled(hull, cell);
+    }
+    EXPECT_LT(least, 1e-9);
 }
 
 /// Flips would make tetrahedra that overlap.

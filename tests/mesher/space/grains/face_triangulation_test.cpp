@@ -115,6 +115,29 @@ TEST(FaceTriangulation, KeepsTheLimitsAwayFromSegmentsThatStopIt) {
     }
 }
 
+/// A side with points that come as close as `least` to its ends.
+void add_side(const Point2& a, const Point2& b, double least, std::vector<Point2>& points) {
+    points.push_back(a);
+    std::vector<double> cuts;
+    for (double cut = 0.4; cut > least; cut /= 1.8) cuts.push_back(cut);
+    for (auto cut = cuts.rbegin(); cut != cuts.rend(); ++cut) points.push_back(a + *cut * (b - a));
+    for (const double cut : cuts) points.push_back(b + cut * (a - b));
+}
+
+/// Two sides that are one straight line up to 1e-9, and whose points come as close to its ends.
+TEST(FaceTriangulation, HasNoTriangleWithPointsOfTwoSidesOfOneLine) {
+    std::vector<Point2> points;
+    add_side({0, 0}, {0.5, -1e-9}, 1e-9, points);
+    add_side({0.5, -1e-9}, {1, 0}, 1e-9, points);
+    points.insert(points.end(), {{1.2, 1}, {-0.2, 1}});
+    const FaceTriangulation face(points);
+    expect_cover(face);
+    for (const auto& t : face.triangles()) {
+        EXPECT_GT(smallest_sine(face.points()[t[0]], face.points()[t[1]], face.points()[t[2]]),
+                  1e-10);
+    }
+}
+
 TEST(FaceTriangulation, ImprovementsWidenTheSmallestAngle) {
     std::mt19937_64 random(3);
     const auto worst = [](const FaceTriangulation& face) {

@@ -8,6 +8,7 @@
 #include "mesher/space/box/box_sides.hpp"
 #include "mesher/space/grains/grains.hpp"
 #include "mesher/space/mesh/midside_nodes.hpp"
+#include "mesher/space/mesh/short_edges.hpp"
 #include "mesher/space/proof/tetrahedral_proof.hpp"
 #include "tests/support/case_count.hpp"
 #include "tests/support/grain_cases.hpp"
@@ -24,7 +25,8 @@ double volume_of(const TetrahedralMesh& mesh, int t) {
 }
 
 /// The tetrahedra conform, are positive, and fill each cell.
-void expect_filled(const Grains& grains, const CellComplex& complex) {
+/// @param bent  how far faces of the cells are from plane, a part of h.
+void expect_filled(const Grains& grains, const CellComplex& complex, double bent) {
     const TetrahedralMesh& mesh = grains.mesh.tetrahedra;
     const TetrahedralProof proof = prove_tetrahedra(mesh);
     EXPECT_EQ(proof.n_sites - proof.n_edges + proof.n_triangles - mesh.n_tetrahedra(), 0);
@@ -40,7 +42,7 @@ void expect_filled(const Grains& grains, const CellComplex& complex) {
     }
     const double whole =
         complex.reduced.volume() / (1 + *std::max_element(mesh.cell.begin(), mesh.cell.end()));
-    for (const double left : volumes) EXPECT_NEAR(left / whole, 0, 1e-9);
+    for (const double left : volumes) EXPECT_NEAR(left / whole, 0, 1e-9 + 10 * bent);
 }
 
 /// Law (2) of MidsideNodes, and the sides of tetrahedra of order 2: a node in the middle of an edge
@@ -62,42 +64,50 @@ void expect_middles(const TetrahedralMesh& mesh) {
     }
 }
 
-/// The cells, or their pieces in a box at 0, through a vertex, through a site, or anywhere.
-CellComplex outlined(const GrainCase& c, int outline, Vec3& origin) {
-    if (outline == 0) return c.complex;
-    if (outline == 2) origin = c.complex.vertices.front();
-    if (outline == 3) origin = c.complex.sites.front();
-    if (outline == 4) origin = Vec3(0.1234, 0.0077, 0.0031);
-    return cells_in_box(c.sites, c.complex, origin);
+/// The corner of the box: 0, a vertex, a site, or anywhere. Outline 0 is that of whole cells.
+Vec3 origin_of(const GrainCase& c, int outline) {
+    if (outline == 2) return c.complex.vertices.front();
+    if (outline == 3) return c.complex.sites.front();
+    if (outline == 4) return {0.1234, 0.0077, 0.0031};
+    return Vec3::Zero();
 }
 
 struct Campaign {
     int n_cells = 0;
     int n_cases = 0;
-    int n_refused = 0;
+    int n_remedied = 0;
     DihedralRange away = {};
     Workers workers = Workers(2);
 
+    void fill(const GrainCase& c, const CellComplex& whole, double snapped, int outline,
+              const std::string& name) {
+        const Vec3 origin = origin_of(c, outline);
+        const CellComplex cells =
+            outline == 0 ? whole : cells_in_box(c.sites, whole, origin, snapped);
+        Grains grains = mesh_grains(
+            c.sites, cells, {.size = c.sites.spacing() / 1.5, .n_rounds = 1}, workers, origin);
+        if (outline > 0) put_on_sides(origin, grains.mesh.tetrahedra);
+        expect_filled(grains, cells, outline > 0 ? snapped : 0);
+        expect_middles(grains.mesh.tetrahedra);
+        std::printf("%s: %d cells, %d tetrahedra, %.2f degrees\n", name.c_str(), cells.n_cells,
+                    grains.mesh.tetrahedra.n_tetrahedra(), grains.angles.smallest);
+        away.add(grains.angles);
+        n_cells += cells.n_cells;
+        ++n_cases;
+    }
+
+    /// Only boxes through vertices that fall apart into edges of 1e-5 of the spacing and less may
+    /// be refused, and without these edges, which the refusal names, they must be filled.
     void run(const GrainCase& c, int outline, const std::string& name) {
         SCOPED_TRACE(name);
-        Vec3 origin = Vec3::Zero();
         try {
-            const CellComplex cells = outlined(c, outline, origin);
-            Grains grains = mesh_grains(
-                c.sites, cells, {.size = c.sites.spacing() / 1.5, .n_rounds = 1}, workers, origin);
-            if (outline > 0) put_on_sides(origin, grains.mesh.tetrahedra);
-            expect_filled(grains, cells);
-            expect_middles(grains.mesh.tetrahedra);
-            std::printf("%s: %d cells, %d tetrahedra, %.2f degrees\n", name.c_str(), cells.n_cells,
-                        grains.mesh.tetrahedra.n_tetrahedra(), grains.angles.smallest);
-            away.add(grains.angles);
-            n_cells += cells.n_cells;
-            ++n_cases;
+            fill(c, c.complex, kSnappedVertices, outline, name);
         } catch (const LimitExceeded& limit) {
-            // Only cells with edges of 1e-5 of their spacing and less.
-            EXPECT_TRUE(name.starts_with("shifted")) << limit.what();
-            n_refused += c.complex.n_cells;
+            EXPECT_TRUE(outline > 0 && name.starts_with("shifted")) << limit.what();
             std::printf("%s: refused, %s\n", name.c_str(), limit.what());
+            ++n_remedied;
+            fill(c, without_short_edges(c.complex, 1e-3, ShrinkRule::kWideCorners), 1e-4, outline,
+                 name + " without short edges");
         }
     }
 };
@@ -126,11 +136,12 @@ TEST(GrainCampaign, EveryKindOfCellIsFilled) {
     }
     RecordProperty("cells", campaign.n_cells);
     RecordProperty("cases", campaign.n_cases);
-    RecordProperty("refused", campaign.n_refused);
+    RecordProperty("remedied", campaign.n_remedied);
     RecordProperty("smallest_angle_away_from_features", std::to_string(campaign.away.smallest));
     if (is_full) {
-        std::printf("%d cells, %d cases, %d cells refused, %.2f degrees\n", campaign.n_cells,
-                    campaign.n_cases, campaign.n_refused, campaign.away.smallest);
+        std::printf("%d cells, %d cases, %d of them without short edges, %.2f degrees\n",
+                    campaign.n_cells, campaign.n_cases, campaign.n_remedied,
+                    campaign.away.smallest);
     }
 }
 

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
+#include "mesher/space/box/box_cells.hpp"
 #include "mesher/space/grains/cell_hull.hpp"
 #include "mesher/space/grains/tetrahedron_shape.hpp"
 #include "tests/support/polyhedra.hpp"
@@ -71,6 +73,44 @@ TEST(CellEdges, PartsAreNoLongerThanTheSize) {
         }
         EXPECT_LT((1 - before) * whole, 1.5 * sizes[0]);
     }
+}
+
+/// Cells cut by a box whose sides are 1e-6 of the spacing beside a site.
+CellComplex thin_pieces() {
+    const PeriodicDelaunay delaunay = periodic_delaunay(
+        Sites(Lattice::box(1, 1, 1), uniform_points(Lattice::box(1, 1, 1), 3, 4)));
+    const CellComplex cells = cell_complex(delaunay.sites, delaunay.tetrahedra);
+    return cells_in_box(delaunay.sites, cells, cells.vertices.front() + Vec3(1e-6, 1e-6, 1e-6));
+}
+
+/// Law (3) of cell_edges().
+TEST(CellEdges, PartsGrowFromTheSizesAtTinyFeatures) {
+    const CellComplex complex = thin_pieces();
+    const CellEdges edges = cell_edges(complex, sizes_of(complex));
+    EXPECT_LT(*std::min_element(edges.vertex_size.begin(), edges.vertex_size.end()), 1e-5);
+    for (const CellEdge& edge : edges.edges) {
+        if (edge.cuts.empty()) continue;
+        const double whole = distance(complex.position(edge.from), complex.position(edge.to));
+        EXPECT_LT(edge.cuts.front() * whole, 2.5 * edges.vertex_size[edge.from.vertex]);
+        EXPECT_LT((1 - edge.cuts.back()) * whole, 2.5 * edges.vertex_size[edge.to.vertex]);
+    }
+}
+
+TEST(GrainSurface, NoTriangleHasPointsOfOneLine) {
+    const CellComplex complex = thin_pieces();
+    const GrainSurface surface = surface_of(complex);
+    std::size_t n_triangles = 0;
+    for (int f = 0; f < complex.n_faces(); ++f) {
+        n_triangles += surface.triangles[f].size();
+        for (const SurfaceTriangle& t : surface.triangles[f]) {
+            const Vec3 a = surface.position(complex, t[0]);
+            const Vec3 b = surface.position(complex, t[1]) - a;
+            const Vec3 c = surface.position(complex, t[2]) - a;
+            EXPECT_GT(length(cross_product(b, c)),
+                      1e-8 * std::max(squared_length(b), squared_length(c)));
+        }
+    }
+    EXPECT_LT(n_triangles, 500u * complex.faces.size());
 }
 
 /// Law (1).
