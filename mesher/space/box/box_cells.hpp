@@ -11,7 +11,7 @@ class UncutCells : public LimitExceeded {
     using LimitExceeded::LimitExceeded;
 };
 
-/// The distance from a side of the box, a part of h, below which vertices are snapped to it where
+/// A distance from a side of the box, a part of h, below which vertices may be snapped to it where
 /// cells are filled with tetrahedra: without that, a side that passes through faces of cells up to
 /// rounding, or up to the residual of an optimisation, would cut off plates and needles thinner
 /// than tetrahedra can be.
