@@ -70,7 +70,8 @@ void settle_duplicates(Job& job);
 JobStart job_start(const Job& job, const ProgressCallback& callback);
 
 /// The start of a job whose sites are not given: what it states, else coarse from 1000 sites on
-/// that are optimised, if coarse cells resolve its density and no sizes are prescribed, else random.
+/// that are optimised, if coarse cells resolve its density and no sizes are prescribed, else
+/// random.
 Start chosen_start(const Job& job);
 
 }  // namespace pcvt
