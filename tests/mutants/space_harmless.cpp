@@ -28,6 +28,8 @@ std::span<const Harmless> harmless_in_space() {
         Harmless{"alone lattice", "exchange", "another basis of the same lattice",
                  "cells left-handed"},
         Harmless{"connectivity row", "swap", "the order of the tetrahedra", "tetrahedra"},
+        Harmless{"connectivity row", "swap", "the order of the tetrahedra of a cell",
+                 "materials of grains"},
         Harmless{"ShortEdges value", "", kLongerBound, "short"},
         Harmless{"pcvt short_edges", "", kLongerBound, "short"},
         Harmless{"Site value", "digit", kMovedCorners, "short"},
