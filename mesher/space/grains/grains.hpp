@@ -37,7 +37,7 @@ class FoldedCell : public LimitExceeded {
     explicit FoldedCell(SiteId site)
         : LimitExceeded("the cell of site " + std::to_string(site) +
                         " has no point from which all its faces are visible; remove shorter edges "
-                        "or none") {}
+                        "or none, or move the origin of the box") {}
 };
 
 /// A cell has a face so narrow that a tetrahedron beside it is flat.
