@@ -215,19 +215,8 @@ class ShrinkingComplex {
         return true;
     }
 
-    /// A face with fewer than three long edges vanishes with its short ones.
-    template <class Position>
-    int n_long_edges(const Corners& corners, const Position& at) const {
-        int n = 0;
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-            const Vec3 step = at(corners[(k + 1) % corners.size()]) - at(corners[k]);
-            n += step.norm() < shortest_ ? 0 : 1;
-        }
-        return n;
-    }
-
     /// The sharpest corner, degrees, of the faces at the ends of an edge: as they are, or where
-    /// the edge has shrunk to a point, of those that remain without short edges.
+    /// the edge has shrunk to a point.
     double sharpest_at(const ShortEdge& edge, const Vec3* end) const {
         double sharpest = 180;
         for (const SiteId cell : cells_at(edge)) {
@@ -242,7 +231,6 @@ class ShrinkingComplex {
                 const auto at = [&](const VertexImage& corner) {
                     return end == nullptr ? position(corner) : position_with(edge, *end, corner);
                 };
-                if (end != nullptr && n_long_edges(corners, at) < 3) continue;
                 sharpest = std::min(sharpest, sharpest_corner(corners, at));
             }
         }

@@ -32,9 +32,8 @@ enum class ShrinkRule {
 ///       the domain. Faces remain those of the same cells.
 ///   (2) No remaining edge shorter than `shortest` h may be removed.
 ///   (3) A vertex moves only if it lies on a removed edge, and by at most `shortest` h.
-///   (4) With kWideCorners, no face with three edges of `shortest` h or longer gets a corner below
-///       15 degrees that is sharper than all that its neighbourhood had before. Others vanish once
-///       all their short edges have shrunk.
+///   (4) With kWideCorners, no face gets a corner below 15 degrees that is sharper than all that
+///       its neighbourhood had before.
 ///   (5) The cells remain those of their sites (prove_cell_sites()), also where sites form clusters
 ///       whose cells are smaller than `shortest` h.
 ///

@@ -223,31 +223,6 @@ TEST(ShortSpaceEdges, MakeNoSharperCornerWithTheRuleForGrains) {
     EXPECT_GT(n_removed, 100);
 }
 
-/// Cells of a lattice up to 1e-5, whose vertices fall apart into strips: the first edge of a strip
-/// to be removed makes a corner of 1e-3 degrees, with which the strip vanishes.
-TEST(ShortSpaceEdges, LeaveNoStripsWithTheRuleForGrains) {
-    Points points(3, 3);
-    points.col(0) = Vec3(0.688251268487126, 0.8658371422682656, 0.12776668827568205);
-    points.col(1) = Vec3(0.35495950599716597, 0.5324985634539834, 0.46113505363205753);
-    points.col(2) = Vec3(0.021601622898066886, 0.19917462400156438, 0.7944586512903342);
-    const CellComplex complex = complex_of({"", Lattice::box(1, 1, 1), points});
-    const auto shortest = [](const CellComplex& cells) {
-        double least = 1;
-        for (int f = 0; f < cells.n_faces(); ++f) {
-            const auto corners = cells.corners_of(f);
-            const std::size_t n = corners.size();
-            for (std::size_t k = 0; k < n; ++k) {
-                least = std::min(
-                    least,
-                    (cells.position(corners[(k + 1) % n]) - cells.position(corners[k])).norm());
-            }
-        }
-        return least;
-    };
-    EXPECT_LT(shortest(complex), 1e-5);
-    EXPECT_GT(shortest(without_short_edges(complex, 1e-3, ShrinkRule::kWideCorners)), 0.01);
-}
-
 /// Law (5).
 TEST(ShortSpaceEdges, LeaveTheCellsOfClustersOnTheirSides) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
