@@ -17,7 +17,7 @@ struct StlProof {
     double tolerance = 0;
     /// Whether the header states the periods, whose volume it is.
     bool has_periods = false;
-    /// Whether law (3) was tested, because single precision tells all images of corners apart.
+    /// Whether law (3) was tested; false where single precision might join two images of corners.
     bool repeats = false;
 };
 

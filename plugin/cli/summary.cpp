@@ -70,9 +70,10 @@ std::string space_grain_line(const SpaceGrainFigures& grains) {
                        std::to_string(grains.n_points) + " points, ";
     text += grains.smallest_angle ? "dihedral angles from " + figure(*grains.smallest_angle) +
                                         " to " + figure(*grains.largest_angle) + " degrees"
-                                  : "each beside a sharp place, dihedral angles";
+                                  : "each beside a sharp place; dihedral angles";
     if (grains.n_sharp > 0) {
-        text += "; from " + figure(grains.smallest_sharp_angle) + " at " +
+        text += (grains.smallest_angle ? "; from " : " from ") +
+                figure(grains.smallest_sharp_angle) + " at " +
                 counted(grains.n_sharp, "sharp place") +
                 " of the cells (corners, edges, narrow faces, flat cells), the sharpest of " +
                 figure(grains.sharpest) + " degrees";

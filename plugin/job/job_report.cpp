@@ -238,7 +238,7 @@ void append_run(JsonWriter& json, const Job& job, const RunSummary& summary) {
                job.domain);
     json.member("seed", job.seed);
     json.member("solver", solver_row(job.run.solver).word);
-    json.member("start", job.n_given() > 0 ? "file" : start_row(summary.start.start).word);
+    json.member("start", job.n_given() > 0 ? "file" : start_row(summary.start.chosen).word);
     json.member("stop", stop_name(summary.run.stop));
     json.member("iterations", summary.run.iterations);
     json.member("evaluations", summary.run.evaluations);

@@ -279,7 +279,7 @@ JobStart job_start(const Job& job, const ProgressCallback& callback) {
         (job.sizes && job.sizes->given.size() > 0) || !job.materials.site_phases.empty();
     if (job.n_given() > 0 || given) start.numbering = plane::Numbering::kAsGiven;
     start.areas = std::move(areas);
-    start.figures.start = row.start;
+    start.figures.chosen = row.start;
     return start;
 }
 

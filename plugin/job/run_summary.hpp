@@ -42,7 +42,7 @@ struct PatternFigures {
 /// What is known of a start, besides the sites.
 struct StartFigures {
     /// Of sites that were not given.
-    Start start = Start::kRandom;
+    Start chosen = Start::kRandom;
     /// Set by the starts that look for it.
     std::optional<PatternFigures> pattern = {};
     /// How the global search found its best state, in words; else empty.

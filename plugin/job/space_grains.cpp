@@ -15,10 +15,9 @@ namespace {
 /// Edges below this part of h are removed from Voronoi cells: nobody sees them, and each would take
 /// layers of ever smaller tetrahedra.
 constexpr double kShortGrainEdgeInSpace = 1e-3;
-/// Vertices within this part of the shortest edges that remain, and at most this part of h, are
-/// snapped to a side of the box; none where no edges are removed.
+/// Vertices within this part of the shortest edges that remain are snapped to a side of the box, as
+/// far as kSnappedVertices allows; none where no edges are removed.
 constexpr double kSnappedOverShort = 0.1;
-constexpr double kMostSnapped = 1e-4;
 
 SpaceGrainFigures figures_of(const space::Grains& grains) {
     const space::TetrahedralMesh& mesh = grains.mesh.tetrahedra;
@@ -49,7 +48,7 @@ SpaceGrains build_space_grains(const Job& job, const space::Tessellation& cells,
                                 : std::max(job.tile.short_edges, kShortGrainEdgeInSpace);
     const space::CellComplex complex = outlined_cells(
         job, cells, without_short_edges(cells.complex(), shortest, space::ShrinkRule::kWideCorners),
-        std::min(kMostSnapped, kSnappedOverShort * shortest));
+        std::min(space::kSnappedVertices, kSnappedOverShort * shortest));
     const space::Vec3 origin = tile_origin(job, cells);
     Workers workers(job.run.n_threads);
     space::Grains grains = mesh_grains(

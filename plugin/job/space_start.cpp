@@ -34,8 +34,8 @@ space::Points lattice_points(const Job& job, StartFigures& figures) {
 
 space::Points space_start_points(const Job& job, JobMonitor& monitor, StartFigures& figures) {
     if (job.n_given() > 0) return job.in_space().points;
-    figures.start = chosen_start(job);
-    switch (figures.start) {
+    figures.chosen = chosen_start(job);
+    switch (figures.chosen) {
         case Start::kRandom:
             return uniform_points(job.in_space().lattice, job.n_sites, job.seed);
         case Start::kCoarse:

@@ -7,18 +7,14 @@
 
 #include "io/bytes/encoded_file.hpp"
 #include "io/forms/tile_file.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace pcvt::testing {
 
 /// Returns the message of the BadFile that read() throws, or an empty string if it does not throw.
 template <class Read>
 std::string fault_in(const Read& read) {
-    try {
-        read();
-    } catch (const BadFile& fault) {
-        return fault.what();
-    }
-    return "";
+    return refusal_of<BadFile>(read);
 }
 
 /// Returns the text with its first `piece`, which must exist, replaced.

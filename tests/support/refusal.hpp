@@ -6,15 +6,16 @@
 
 namespace pcvt::testing {
 
-/// The message with which a call refuses its input; empty if it takes it.
+/// The message with which a call refuses its input, by an error of the type Fault; empty if it
+/// takes it.
 ///
 /// Example usage:
 ///     EXPECT_THAT(refusal_of([&] { decode_stl(file); }), HasSubstr("facets"));
-template <class Call>
+template <class Fault = InvalidInput, class Call>
 std::string refusal_of(const Call& call) {
     try {
         call();
-    } catch (const InvalidInput& fault) {
+    } catch (const Fault& fault) {
         return fault.what();
     }
     return "";

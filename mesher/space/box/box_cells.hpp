@@ -11,11 +11,11 @@ class UncutCells : public LimitExceeded {
     using LimitExceeded::LimitExceeded;
 };
 
-/// A distance from a side of the box, a part of h, below which vertices may be snapped to it where
-/// cells are filled with tetrahedra: without that, a side that passes through faces of cells up to
-/// rounding, or up to the residual of an optimisation, would cut off plates and needles thinner
-/// than tetrahedra can be.
-inline constexpr double kSnappedVertices = 1e-5;
+/// The greatest distance from a side of the box, a part of h, at which vertices are snapped to it
+/// where cells are filled with tetrahedra. Without that, a side that passes through faces of cells
+/// up to rounding, or up to the residual of an optimisation, would cut off plates and needles
+/// thinner than tetrahedra can be.
+inline constexpr double kSnappedVertices = 1e-4;
 
 /// Cuts cells along the sides of the box at `origin` and along those of all its images.
 ///

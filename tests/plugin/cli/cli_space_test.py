@@ -399,7 +399,7 @@ class Boxes(CliTest):
 
     def test_angles_are_those_at_sharp_places_where_there_are_no_others(self):
         text = self.succeed("mesh", "--sites", 1, "--period", "0.1,1,5", "--mesh", "grains", "-o", "t.vtu", "--report", "r.json")
-        self.assertRegex(figures(text)["grains"], r"^\d+ tetrahedra on \d+ points, each beside a sharp place, dihedral angles; from [\d.]+ at 2 sharp places of "
+        self.assertRegex(figures(text)["grains"], r"^\d+ tetrahedra on \d+ points, each beside a sharp place; dihedral angles from [\d.]+ at 2 sharp places of "
                                                   r"the cells \(corners, edges, narrow faces, flat cells\), the sharpest of [\d.]+ degrees$")
         grains = json.loads(self.path("r.json").read_text())["grains"]
         self.assertEqual((grains["smallest_angle"], grains["largest_angle"]), (None, None))
