@@ -8,7 +8,9 @@
 
 #include "mesher/space/box/box_cells.hpp"
 #include "mesher/space/grains/cell_hull.hpp"
+#include "mesher/space/grains/grains.hpp"
 #include "mesher/space/grains/tetrahedron_shape.hpp"
+#include "mesher/space/proof/tetrahedral_proof.hpp"
 #include "tests/support/polyhedra.hpp"
 
 namespace pcvt::space {
@@ -75,7 +77,7 @@ TEST(CellEdges, PartsAreNoLongerThanTheSize) {
     }
 }
 
-/// Cells cut by a box whose sides are 1e-6 of the spacing beside a site.
+/// Cells cut by a box whose sides lie 1e-6 beside a vertex.
 CellComplex thin_pieces() {
     const PeriodicDelaunay delaunay = periodic_delaunay(
         Sites(Lattice::box(1, 1, 1), uniform_points(Lattice::box(1, 1, 1), 3, 4)));
@@ -111,6 +113,15 @@ TEST(GrainSurface, NoTriangleHasPointsOfOneLine) {
         }
     }
     EXPECT_LT(n_triangles, 500u * complex.faces.size());
+}
+
+TEST(Grains, ThinPiecesOfBoxesAreFilledSlow) {
+    const Lattice cube = Lattice::box(1, 1, 1);
+    Workers one_worker(1);
+    const Sites sites(cube, uniform_points(cube, 3, 4));
+    const Grains grains =
+        mesh_grains(sites, thin_pieces(), {.size = sites.spacing() / 2, .n_rounds = 0}, one_worker);
+    EXPECT_NO_THROW(prove_tetrahedra(grains.mesh.tetrahedra));
 }
 
 /// Law (1).
