@@ -50,7 +50,8 @@ ProgressDisplay::ProgressDisplay(double energy_bound, double tolerance, bool wan
     : energy_bound_(energy_bound), tolerance_(tolerance), line_(wanted) {}
 
 void ProgressDisplay::show(const JobProgress& progress) {
-    if (!line_.due()) return;
+    if (!line_.due(progress.phase != phase_)) return;
+    phase_ = progress.phase;
     std::optional<double> seconds_left;
     if (progress.phase == Phase::kOptimising) {
         // A further seed begins from its own iteration 0.

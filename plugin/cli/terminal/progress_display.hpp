@@ -29,6 +29,8 @@ class ProgressDisplay {
     double tolerance_;
     StatusLine line_;
     TimeLeft time_left_;
+    /// That of the last drawing.
+    Phase phase_ = Phase::kStarting;
     int last_iteration_ = 0;
 };
 

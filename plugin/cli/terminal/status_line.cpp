@@ -70,10 +70,11 @@ StatusLine::StatusLine(bool wanted)
 
 StatusLine::~StatusLine() { clear(); }
 
-bool StatusLine::due() {
+bool StatusLine::due(bool is_new_phase) {
     if (!shown_) return false;
     const Clock::time_point now = Clock::now();
-    if (now - last_drawn_ < kBetweenDrawings) return false;
+    const bool at_once = is_new_phase && drawn_ > 0;
+    if (!at_once && now - last_drawn_ < kBetweenDrawings) return false;
     last_drawn_ = now;
     return true;
 }

@@ -6,8 +6,8 @@
 
 namespace pcvt::cli {
 
-/// One line on standard error, redrawn at most ten times a second and cleared at the end. Silent if
-/// standard error is not a terminal.
+/// One line on standard error, redrawn at most ten times a second, but at once for a new phase, and
+/// cleared at the end. Silent if standard error is not a terminal.
 ///
 ///   StatusLine line(true);
 ///   if (line.due()) line.draw({"half done", "12 s left"});
@@ -20,7 +20,8 @@ class StatusLine {
     StatusLine& operator=(const StatusLine&) = delete;
 
     /// Whether it is time to draw again.
-    bool due();
+    /// @param is_new_phase  true: a line that is on the terminal is drawn again at once.
+    bool due(bool is_new_phase = false);
     /// Draws the parts that fit_line() keeps in the width of the terminal.
     void draw(const std::vector<std::string>& parts);
     /// Clears the line on the terminal.

@@ -84,6 +84,13 @@ class LargeRun(Terminal):
             self.assertIn("\n" + phase, text)
         self.assertRegex(text, r"\nwriting big-\w+\.ply, [12] of 3 \d+ %")
 
+    def test_a_phase_that_lasts_less_than_the_time_between_two_drawings_is_shown(self):
+        shown = self.on_a_terminal(("mesh", "--sites", "40000", "--tolerance", "1e-3", "-o", "small.ply"))
+        drawn = [line for _, line in shown]
+        first = next(at for at, line in enumerate(drawn) if line.strip())
+        for phase in PHASES[2:]:
+            self.assertTrue(any(line.startswith(phase) for line in drawn[first:]), (phase, drawn))
+
     def test_no_third_of_the_run_passes_without_a_change(self):
         shown = self.on_a_terminal(LARGE)
         total = shown[-1][0]
