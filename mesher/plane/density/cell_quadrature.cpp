@@ -1,5 +1,6 @@
 #include "mesher/plane/density/cell_quadrature.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -127,16 +128,14 @@ void CellQuadrature::add(CellView cell, const Vec2& site, int q, QuadratureBatch
     batch.end_cell();
 }
 
-Moments CellQuadrature::on_pixels(CellView cell, DensityProbe& probe) const {
-    DensityRange range = pixels_->range();
-    Moments moments = pixel_moments(*pixels_, cell, range.n_evaluations);
-    probe.add(range);
-    return moments;
-}
-
 Moments CellQuadrature::operator()(CellView cell, const Vec2& site, int q,
                                    DensityProbe& probe) const {
-    if (pixels_) return on_pixels(cell, probe);
+    if (pixels_) {
+        PixelQuadrature integrate(*pixels_, probe.basis().inverse());
+        const Moments moments = integrate(cell, site);
+        probe.add(integrate.take_range());
+        return moments;
+    }
     QuadratureBatch batch(probe);
     add(cell, site, q, batch);
     return batch.collect().front();

@@ -34,14 +34,13 @@ class CellQuadrature {
     /// @param q         see triangle_rule.
     void add(CellView cell, const Vec2& site, int q, QuadratureBatch& batch) const;
 
-    /// The moments of one cell.
+    /// The moments of one cell, whose plane coordinates are lengths along x and y.
     /// @throws BadDensity as the probe does.
     Moments operator()(CellView cell, const Vec2& site, int q, DensityProbe& probe) const;
 
-    /// Whether the density is that of a picture. Then on_pixels() has the moments of cut cells, and
-    /// add() is not for them.
-    bool has_pixels() const { return pixels_ != nullptr; }
-    Moments on_pixels(CellView cell, DensityProbe& probe) const;
+    /// The picture whose density this is, or null. PixelQuadrature has the moments of its cut
+    /// cells, and add() is not for them.
+    const PixelGrid* pixels() const { return pixels_.get(); }
     /// The least order that cells need.
     int least_order() const;
 

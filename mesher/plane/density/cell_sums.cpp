@@ -60,8 +60,9 @@ void CellSums::add(std::span<const SiteId> sites, std::span<const int> numbers, 
             continue;
         }
         list_.copy(k, site, polygon_);
-        if (quadrature_.has_pixels()) {
-            moments[numbers[k]] = quadrature_.on_pixels(polygon_, probe_);
+        if (on_pixels_) {
+            moments[numbers[k]] = (*on_pixels_)(polygon_, site);
+            probe_.add(on_pixels_->take_range());
             continue;
         }
         quadrature_.add(polygon_, site, q, cut_);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "mesher/plane/density/cell_quadrature.hpp"
 #include "mesher/plane/density/fan_batch.hpp"
+#include "mesher/plane/density/pixel_quadrature.hpp"
 #include "mesher/plane/density/unwrapped_cells.hpp"
 
 namespace pcvt::plane {
@@ -34,7 +36,11 @@ class CellSums {
           quadrature_(quadrature),
           probe_(probe),
           whole_(probe, cells.from_frame()),
-          cut_(probe) {}
+          cut_(probe) {
+        if (quadrature.pixels() != nullptr) {
+            on_pixels_.emplace(*quadrature.pixels(), cells.from_frame());
+        }
+    }
 
     const DensityProbe& probe() const { return probe_; }
     /// Computes moments[k] of cell k. Each result depends only on its cell, to the last bit.
@@ -54,6 +60,8 @@ class CellSums {
     DensityProbe& probe_;
     FanBatch whole_;
     QuadratureBatch cut_;
+    /// For cut cells in place of `cut_`, if the density is that of a picture.
+    std::optional<PixelQuadrature> on_pixels_;
     /// The indices of the cut cells.
     std::vector<int> cut_numbers_;
     /// The cells by order, and within an order in the order of input.

@@ -142,6 +142,8 @@ class DensityProbe {
     DensityProbe(const Lattice& lattice, DensityFunction function)
         : a_(lattice.a()), b_(lattice.b()), function_(std::move(function)) {}
 
+    /// The period vectors as columns.
+    Eigen::Matrix2d basis() const { return (Eigen::Matrix2d() << a_, b_).finished(); }
     /// The point at lattice coordinates in [0, 1]; 1 is replaced by the next smaller double.
     DensityPoint point(const Vec2& place) const {
         const Vec2 u = place.cwiseMin(kBelowOne);

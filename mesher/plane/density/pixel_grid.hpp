@@ -7,18 +7,15 @@
 
 namespace pcvt::plane {
 
-/// Integrals of a density over a rectangle of lattice coordinates: of rho, rho s, rho t, rho s^2,
-/// rho s t and rho t^2, for coordinates s along u and t along v that the caller chooses.
-struct PlainMoments {
+/// Integrals of a density along a line of pixel centres, upwards: of rho, rho t and rho t^2, with t
+/// in squares.
+struct LineMoments {
     double mass = 0;
-    double s = 0;
     double t = 0;
-    double ss = 0;
-    double st = 0;
     double tt = 0;
 
     /// Adds moments whose origin lies at t = `up`.
-    void add(const PlainMoments& other, double up);
+    void add(const LineMoments& other, double up);
 };
 
 /// A density on the torus that is bilinear between the centres of the pixels of a picture.
@@ -28,18 +25,19 @@ struct PlainMoments {
 /// the square of a column and a row has its lower left corner at the centre of that pixel. Columns
 /// and rows are periodic.
 ///
-/// Sums over blocks of squares of one column make the integral over a run of squares cheap: its
-/// cost is proportional to the length over 16. All numbers that are added up are positive, so that
-/// the relative error is a few roundings for any contrast.
+/// Across a column of squares the density is linear between its two lines of pixel centres. Sums
+/// over blocks of rows make the integrals along lines cheap: their cost is proportional to the
+/// length over 16. All numbers that are added up are positive, so that the relative error is a few
+/// roundings for any contrast.
 ///
 /// Example usage:
 ///
 ///     const PixelGrid grid(2, 2, {0, 0.25F, 0.5F, 1}, 1, 5);
 ///     const double rho = grid.at(0.25, 0.25);          // 1
-///     const PlainMoments column = grid.run(0, 0, 2);   // its mass is 2 times the mean of rho
+///     const auto [left, right] = grid.run(0, 0, 2);    // all of two lines
 ///
 /// Laws, tested by number:
-///   (1) A run has the moments that Gauss rules of at() give square by square.
+///   (1) A run has the sums of the moments of its squares.
 ///   (2) A run that begins k heights further up has the same moments.
 class PixelGrid {
    public:
@@ -62,9 +60,13 @@ class PixelGrid {
         double high_right;
     };
     Square square(std::int64_t column, std::int64_t row) const;
-    /// The moments of the squares of a column from a row to the row before `end`, with the unit and
-    /// the origin of (s, t) at the lower left corner of the first square.
-    PlainMoments run(std::int64_t column, std::int64_t row, std::int64_t end) const;
+    /// The lines at the left and at the right of a column of squares.
+    struct Run {
+        LineMoments left;
+        LineMoments right;
+    };
+    /// From the line below a row to that below the row `end`; t begins at the first of them.
+    Run run(std::int64_t column, std::int64_t row, std::int64_t end) const;
 
     /// The integral of rho over the domain, for a domain of area 1.
     double mean() const { return mean_; }
@@ -74,7 +76,7 @@ class PixelGrid {
    private:
     double value(float grey) const { return black_ + (white_ - black_) * grey; }
     const float* line(std::int64_t row) const { return greys_.data() + row * width_; }
-    Square inner_square(int column, int row) const;
+    Run short_run(int left, int row, int end) const;
     void survey();
     void fill_blocks();
 
@@ -85,8 +87,8 @@ class PixelGrid {
     double white_;
     double mean_ = 0;
     DensityRange range_;
-    /// For each block of rows the sums of each column.
-    std::vector<PlainMoments> blocks_;
+    /// For each block of rows the moments along each line.
+    std::vector<LineMoments> blocks_;
 };
 
 /// The density of a grid. Its break lines run through the centres of the pixels.
