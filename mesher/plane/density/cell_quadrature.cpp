@@ -132,7 +132,7 @@ Moments CellQuadrature::operator()(CellView cell, const Vec2& site, int q,
                                    DensityProbe& probe) const {
     if (pixels_) {
         PixelQuadrature integrate(*pixels_, probe.basis().inverse());
-        const Moments moments = integrate(cell, site);
+        Moments moments = integrate(cell, site);
         probe.add(integrate.take_range());
         return moments;
     }

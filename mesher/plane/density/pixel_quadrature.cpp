@@ -100,9 +100,8 @@ class Crossings {
     /// @param in_square     the place of the origin in its square.
     Crossings(double from, double change, double in_square)
         : from_(from + in_square), per_square_(1 / std::abs(change)), step_(change < 0 ? -1 : 1) {
-        // A side that leaves a line downwards lies in the square below it.
+        // A side that leaves a line downwards crosses it at once.
         square_ = static_cast<std::int64_t>(std::floor(from_));
-        if (change < 0 && double(square_) == from_) --square_;
         pass(false);
     }
     /// The part of the side before the next crossing; infinite for a side along the lines.
@@ -184,9 +183,12 @@ void PixelQuadrature::sort_by_column() {
 /// one that crosses the cell, or else, in a single row, a point of the cell.
 void PixelQuadrature::choose_base(std::size_t c) {
     const double orientation = to_squares_.determinant();
-    // Find the rows of the lower and of the upper sides.
-    std::int64_t low_end = INT64_MIN;
-    std::int64_t high_begin = INT64_MAX;
+    const Segment& lowest = sorted_[begin_[c]];
+    const std::int64_t highest_row = sorted_[begin_[c + 1] - 1].row;
+    // Find the end of the lower and the beginning of the upper sides. Rounding may leave a segment
+    // of one of them alone in its column.
+    std::int64_t low_end = lowest.row;
+    std::int64_t high_begin = highest_row + 1;
     for (int k = begin_[c]; k < begin_[c + 1]; ++k) {
         const Segment& segment = sorted_[k];
         if (segment.change.x() * orientation > 0) {
@@ -195,12 +197,7 @@ void PixelQuadrature::choose_base(std::size_t c) {
             high_begin = std::min(high_begin, segment.row);
         }
     }
-    if (begin_[c] == begin_[c + 1]) return;
-    const Segment& lowest = sorted_[begin_[c]];
-    const std::int64_t highest_row = sorted_[begin_[c + 1] - 1].row;
-    // Rounding may leave a segment alone in its column.
-    const bool has_both = low_end != INT64_MIN && high_begin != INT64_MAX;
-    const bool is_apart = has_both && low_end <= high_begin;
+    const bool is_apart = low_end <= high_begin;
     const bool is_point = !is_apart && lowest.row == highest_row;
     const std::int64_t row = is_apart ? low_end : lowest.row + (highest_row - lowest.row + 1) / 2;
     base_rows_[c] = row;

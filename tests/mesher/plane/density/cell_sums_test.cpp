@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <string>
 
+#include "mesher/plane/density/pixel_grid.hpp"
 #include "mesher/plane/energy/energy.hpp"
 #include "tests/support/densities.hpp"
 #include "tests/support/lattices.hpp"
@@ -97,6 +99,27 @@ TEST(CellSums, EqualTheMomentsOfEachCellByItself) {
             }
             EXPECT_EQ(place.probe.take_range().n_evaluations, n_evaluations);
         }
+    }
+}
+
+TEST(CellSums, EqualTheRulesOnPiecesOfAPicture) {
+    std::vector<float> greys(16 * 9);
+    for (std::size_t k = 0; k < greys.size(); ++k) greys[k] = float((k * k) % 7) / 6;
+    const Density picture = pixel_density({16, 9, greys, 0.1, 1});
+    Density pieces = picture;
+    pieces.pixels = nullptr;
+    for (const auto& [name, lattice] : testing::lattices()) {
+        SCOPED_TRACE(name);
+        const Points points = uniform_points(lattice, 150, 4);
+        Place by_sides(lattice, points, picture);
+        Place by_pieces(lattice, points, pieces);
+        for (OrderedCell& cell : by_pieces.ordered) cell.q = std::max(cell.q, kPixelOrder);
+        const std::vector<Moments> found = by_sides.integrate(by_pieces.ordered);
+        const std::vector<Moments> expected = by_pieces.integrate(by_pieces.ordered);
+        for (std::size_t k = 0; k < found.size(); ++k) expect_same(found[k], expected[k], 1e-10);
+        const DensityRange range = by_sides.probe.take_range();
+        EXPECT_GT(range.n_evaluations, 150 * 3 * 6);
+        EXPECT_LT(range.n_evaluations, by_pieces.probe.take_range().n_evaluations);
     }
 }
 
