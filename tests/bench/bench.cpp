@@ -21,6 +21,8 @@ void add_cases() {
             add_mesh_cases({name, lattice, n});
         }
     }
+    add_peer_cases({"unit", plane::Lattice::rectangle(1, 1), 10'000'000});
+    add_large_case({"unit", plane::Lattice::rectangle(1, 1), 10'000'000});
     for (const int n : {1000, 10'000, 100'000, 1'000'000}) {
         add_area_cases({"unit", plane::Lattice::rectangle(1, 1), n});
     }

@@ -47,6 +47,8 @@ void add_peer_cases(const Input& input);
 
 /// The moving periodic Delaunay triangulation, and the optimiser on it.
 void add_engine_cases(const Input& input);
+/// The first iterations of the optimiser, which take most of a minute at 1e7 sites.
+void add_large_case(const Input& input);
 
 /// The tile of the cells and its proof; files of it, which are read back and proved.
 void add_mesh_cases(const Input& input);

@@ -66,15 +66,15 @@ void add_evaluation(const Input& input) {
              [=](benchmark::State& state) { evaluate_repeatedly(state, input, 1); });
 }
 
-/// A whole run; reports the time per iteration.
-void add_iteration(const Input& input) {
+/// A whole run to an RMS residual; reports the time per iteration.
+void add_iteration(const Input& input, double rms) {
     const auto body = [=](benchmark::State& state) {
         for ([[maybe_unused]] auto _ : state) {
             const double start = cpu_seconds();
             double first = 0;
             double last = 0;
             Progress end;
-            const plane::CvtResult result = run_to_rms(input, kEnd, [&](const Progress& progress) {
+            const plane::CvtResult result = run_to_rms(input, rms, [&](const Progress& progress) {
                 last = cpu_seconds();
                 if (progress.iteration == 0) first = last;
                 end = progress;
@@ -169,10 +169,12 @@ void add_engine_cases(const Input& input) {
         const auto body = [=](benchmark::State& state) { evaluate_repeatedly(state, input, 2); };
         add_case("evaluation_2_threads", input, body)->UseRealTime();
     }
-    add_iteration(input);
+    add_iteration(input, kEnd);
     if (input.lattice_name == "unit" && input.n == 100'000) add_usual_run(input);
     if (input.lattice_name == "unit" && input.n == 10'000) add_mirror_run(input);
 }
+
+void add_large_case(const Input& input) { add_iteration(input, kConverging); }
 
 void add_single_cases() {
     const plane::Lattice unit = plane::Lattice::rectangle(1, 1);

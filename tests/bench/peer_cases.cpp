@@ -16,7 +16,7 @@ struct PeerCase {
     int most_sites;
 };
 
-const PeerCase kPlain{"cgal_plain", cgal_plain, 1, false, 1'000'000};
+const PeerCase kPlain{"cgal_plain", cgal_plain, 1, false, 10'000'000};
 const PeerCase kOnUnitSquare[] = {
     {"cgal_nine_copies", cgal_nine_copies, 9, true, 100'000},
     {"cgal_periodic", cgal_periodic, 1, true, 1'000'000},
