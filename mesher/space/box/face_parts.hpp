@@ -33,8 +33,8 @@ struct SidedCorner {
 ///     const FaceParts parts = face_parts(corners, [&](const auto& polygon) { return true; });
 ///
 /// Law, tested by number:
-///   (1) Without a part in the plane, the others are the corners of the face that lie on their side
-///       or on the plane, except those on the plane that only the other part needs.
+///   (1) Parts have corners of the face on their side or on the plane, and if they are n in all,
+///       the polygons have n - 2 triangles in all.
 ///
 /// @param corners  neighbours lie on one side of the plane, or one of them lies on it.
 /// @param is_flat  whether the polygon of corners on the plane is a part of the face.

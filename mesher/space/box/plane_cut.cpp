@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <span>
 #include <tuple>
@@ -16,18 +15,10 @@
 namespace pcvt::space {
 namespace {
 
-/// The lowest and the highest level of something.
-struct LevelRange {
-    int low = std::numeric_limits<int>::max();
-    int high = std::numeric_limits<int>::min();
-
-    void add(int level) {
-        low = std::min(low, level);
-        high = std::max(high, level);
-    }
-    int first_slab() const { return low >> 1; }
-    int last_slab() const { return (high - 1) >> 1; }
-};
+/// The sine of the angle between a plane and a face that may have a part in it, and that of a
+/// corner between two edges that are not one line.
+constexpr double kShallow = 0.1;
+constexpr double kTurn = 0.1;
 
 class PlaneCut {
    public:
@@ -191,15 +182,32 @@ class PlaneCut {
     /// Divides what a plane and those below it leave of a face.
     FaceParts parts_at(int plane, Polygon corners) const {
         std::vector<SidedCorner> sided;
-        double highest = 0;
         for (const VertexImage& corner : corners) {
             const int above = level(corner) - 2 * plane;
             sided.push_back({corner, (above > 0 ? 1 : 0) - (above < 0 ? 1 : 0)});
-            if (above != 0) {
-                highest = std::max(highest, planes_.distance(plane, complex_.position(corner)));
-            }
         }
-        return face_parts(sided, [&](Polygon on) { return width_of(on) > highest; });
+        return face_parts(sided, [&](Polygon on) { return is_shallow(corners) && turns(on); });
+    }
+
+    /// Whether a face is nearly parallel to the planes.
+    bool is_shallow(Polygon corners) const {
+        const Vec3 up = planes_.up();
+        const Vec3 area = area2_of(corners);
+        return area.cross(up).norm() < kShallow * area.norm() * up.norm();
+    }
+
+    /// Whether corners are not on one line: a face that only touches the plane there would have
+    /// triangles in it.
+    bool turns(Polygon corners) const {
+        Vec3 at = complex_.position(corners.back());
+        Vec3 last = at - complex_.position(corners[corners.size() - 2]);
+        return std::any_of(corners.begin(), corners.end(), [&](const VertexImage& corner) {
+            const Vec3 next = complex_.position(corner) - at;
+            const double sine = last.cross(next).norm() / (last.norm() * next.norm());
+            at += next;
+            last = next;
+            return sine > kTurn;
+        });
     }
 
     /// Twice the area vector of a polygon.
@@ -213,17 +221,6 @@ class PlaneCut {
         return area;
     }
 
-    /// The area of a polygon over its length: small where a face that is not in the plane touches
-    /// it along several edges.
-    double width_of(Polygon corners) const {
-        double longest = 0;
-        for (const VertexImage& corner : corners) {
-            const Vec3 arm = complex_.position(corner) - complex_.position(corners[0]);
-            longest = std::max(longest, arm.norm());
-        }
-        return area2_of(corners).norm() / longest;
-    }
-
     void add_part(const CellFace& face, int slab, Polygon corners) {
         const int here = piece(face.cell, slab);
         const int there = piece(face.neighbour, slab - along(face.offset));
@@ -232,12 +229,9 @@ class PlaneCut {
 
     /// Adds the edges in a plane of a part of a face, or their reverses.
     void add_edges(const CellFace& face, int plane, Polygon corners, bool reversed) {
-        for_each_edge_in(plane, corners, [&](const VertexImage& from, const VertexImage& to) {
-            if (reversed) {
-                add_edge(face, plane, to, from);
-            } else {
-                add_edge(face, plane, from, to);
-            }
+        for_each_edge_in(plane, corners, [&](VertexImage from, VertexImage to) {
+            if (reversed) std::swap(from, to);
+            add_edge(face, plane, from, to);
         });
     }
 

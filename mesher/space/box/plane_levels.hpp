@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "mesher/space/mesh/cell_complex.hpp"
@@ -41,8 +44,22 @@ struct Nearness {
 };
 inline constexpr double kEdgeOverSnap = 8;
 
+/// The lowest and the highest of levels: 2 k on the plane u = k, and 2 k + 1 in slab k, between
+/// that and the next one.
+struct LevelRange {
+    int low = std::numeric_limits<int>::max();
+    int high = std::numeric_limits<int>::min();
+
+    void add(int level) {
+        low = std::min(low, level);
+        high = std::max(high, level);
+    }
+    int first_slab() const { return low >> 1; }
+    int last_slab() const { return (high - 1) >> 1; }
+};
+
 /// Moves vertices that lie on a plane exactly there.
-/// @returns for each vertex 2 k on the plane u = k, and 2 k + 1 between that and the next one.
+/// @returns the level of each vertex.
 std::vector<int> put_on_planes(const AxisPlanes& planes, const Nearness& near,
                                CellComplex& complex);
 

@@ -161,6 +161,14 @@ TEST(GrainCampaign, EveryKindOfCellIsFilled) {
     }
 }
 
+/// A box through a vertex cuts narrow strips off faces that snapped vertices bend, and a thin piece
+/// beside one is seen from no point until the strip is smooth.
+TEST(Grains, PiecesBesideBentStripsAreFilledSlow) {
+    const GrainCase c = testing::grain_case("cvt", 20, 34);
+    Campaign campaign;
+    EXPECT_NO_THROW(campaign.fill(c, c.complex, kSnappedVertices, 2, "cvt seed 34 outline 2"));
+}
+
 /// The smallest angle away from named features, of some seeds. PCVT_GRAIN_SITES: the number of
 /// cells, with 4 seeds of centroidal cells, 14 of random ones and 8 power diagrams.
 TEST(GrainQuality, AnglesAwayFromSharpFeaturesAreWide) {
