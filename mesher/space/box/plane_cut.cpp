@@ -1,46 +1,33 @@
 #include "mesher/space/box/plane_cut.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <span>
 #include <tuple>
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/space/box/cut_edges.hpp"
+#include "mesher/space/box/face_parts.hpp"
 
 namespace pcvt::space {
 namespace {
 
-/// An edge of a cut face: two of its corners in the frame of a cell, in the order in which the face
-/// of the piece below the plane runs through them.
-struct CutEdge {
-    SiteId cell;
-    int plane;
-    VertexImage from;
-    VertexImage to;
-
-    friend auto operator<=>(const CutEdge&, const CutEdge&) = default;
-};
-
-/// The lowest and the highest level of something.
-struct LevelRange {
-    int low = std::numeric_limits<int>::max();
-    int high = std::numeric_limits<int>::min();
-
-    void add(int level) {
-        low = std::min(low, level);
-        high = std::max(high, level);
-    }
-    int first_slab() const { return low >> 1; }
-    int last_slab() const { return (high - 1) >> 1; }
-};
+/// The sine of the angle between a plane and a face that may have a part in it, and that of a
+/// corner between two edges that are not one line.
+constexpr double kShallow = 0.1;
+constexpr double kTurn = 0.1;
 
 class PlaneCut {
    public:
     PlaneCut(int axis, const Vec3& origin, const Nearness& near, CutCells& cells)
-        : axis_(axis), origin_(origin), near_(near), cells_(cells), complex_(cells.complex) {}
+        : axis_(axis),
+          near_(near),
+          cells_(cells),
+          complex_(cells.complex),
+          planes_(complex_.reduced, axis, origin) {}
 
     bool run() {
         find_levels();
@@ -62,40 +49,9 @@ class PlaneCut {
     int level(const VertexImage& image) const {
         return cells_.level[image.vertex][axis_] + 2 * along(image.offset);
     }
-    double height(const Vec3& p) const { return complex_.reduced.to_lattice(p - origin_)[axis_]; }
-    void put_on(int plane, Vec3& p) const {
-        p += (plane - height(p)) * complex_.reduced.periods()[axis_];
-    }
-
-    /// For each vertex how near to a plane it lies on it.
-    std::vector<double> nearness() const {
-        const std::size_t n = complex_.vertices.size();
-        if (near_.snapped == 0) return std::vector<double>(n, near_.all);
-        std::vector<double> shortest(n, kEdgeOverSnap * near_.snapped);
-        for (int f = 0; f < complex_.n_faces(); ++f) {
-            const Polygon corners = complex_.corners_of(f);
-            for (std::size_t k = 0; k < corners.size(); ++k) {
-                const VertexImage& a = corners[k];
-                const VertexImage& b = corners[(k + 1) % corners.size()];
-                const double edge = (complex_.position(b) - complex_.position(a)).norm();
-                for (const int v : {a.vertex, b.vertex}) shortest[v] = std::min(shortest[v], edge);
-            }
-        }
-        for (double& edge : shortest) edge = std::max(near_.all, edge / kEdgeOverSnap);
-        return shortest;
-    }
-
     void find_levels() {
-        const double spacing = complex_.reduced.heights()[axis_];
-        const std::vector<double> near = nearness();
-        for (std::size_t v = 0; v < complex_.vertices.size(); ++v) {
-            const double u = height(complex_.vertices[v]);
-            const double plane = std::round(u);
-            const bool is_on = std::abs(u - plane) <= near[v] / spacing;
-            if (is_on) put_on(static_cast<int>(plane), complex_.vertices[v]);
-            cells_.level[v][axis_] =
-                is_on ? 2 * static_cast<int>(plane) : 2 * static_cast<int>(std::floor(u)) + 1;
-        }
+        const std::vector<int> levels = put_on_planes(planes_, near_, complex_);
+        for (std::size_t v = 0; v < levels.size(); ++v) cells_.level[v][axis_] = levels[v];
     }
 
     /// The vertex on a plane between two corners of a face on different sides of it.
@@ -109,9 +65,9 @@ class PlaneCut {
         if (is_new) {
             const Vec3 from = complex_.vertices[a.vertex];
             const Vec3 to = complex_.position({b.vertex, step});
-            const double u = height(from);
-            Vec3 p = from + (in_frame - u) / (height(to) - u) * (to - from);
-            put_on(in_frame, p);
+            const double u = planes_.height(from);
+            Vec3 p = from + (in_frame - u) / (planes_.height(to) - u) * (to - from);
+            planes_.put_on(in_frame, p);
             complex_.vertices.push_back(p);
             cells_.level.push_back(between(cells_.level[a.vertex], cells_.level[b.vertex], step));
             cells_.level.back()[axis_] = 2 * in_frame;
@@ -206,72 +162,113 @@ class PlaneCut {
 
     void cut_face(int f) {
         const CellFace& face = complex_.faces[f];
-        const Polygon corners = complex_.corners_of(f);
-        const LevelRange range = range_of(corners);
-        if (range.low == range.high && range.low % 2 == 0) {
-            add_face_in_plane(face, range.low / 2, corners);
-            return;
-        }
-        std::vector<VertexImage> part;
-        for (int s = range.first_slab(); s <= range.last_slab(); ++s) {
-            part.clear();
-            for (const VertexImage& corner : corners) {
-                if (level(corner) >= 2 * s && level(corner) <= 2 * s + 2) part.push_back(corner);
-            }
-            const int here = piece(face.cell, s);
-            const int there = piece(face.neighbour, s - along(face.offset));
-            add_face({here, there, face.offset}, part);
-        }
+        const LevelRange range = range_of(complex_.corners_of(f));
+        std::vector<VertexImage> rest(complex_.corners_of(f).begin(), complex_.corners_of(f).end());
         for (int p = (range.low + 1) >> 1; 2 * p <= range.high; ++p) {
-            find_cut_edge(face, p, corners, range);
+            FaceParts parts = parts_at(p, rest);
+            is_sound_ &= parts.is_sound;
+            if (!parts.below.empty()) {
+                add_part(face, p - 1, parts.below);
+                add_edges(face, p, parts.below, false);
+            }
+            if (!parts.inside.empty()) add_face_in_plane(face, p, parts.inside);
+            // An edge of a face above belongs to the face of the piece below in reverse.
+            if (!parts.above.empty()) add_edges(face, p, parts.above, true);
+            rest = std::move(parts.above);
         }
+        if (!rest.empty()) add_part(face, range.last_slab(), rest);
     }
 
-    /// The cell lies wholly on one side of a face in a plane.
-    void add_face_in_plane(const CellFace& face, int plane, Polygon corners) {
-        const LevelRange& range = ranges_[face.cell];
-        is_sound_ &= range.high == 2 * plane || range.low == 2 * plane;
-        const int below = range.high == 2 * plane ? 1 : 0;
-        const int here = piece(face.cell, plane - below);
-        const int there = piece(face.neighbour, plane - 1 + below - along(face.offset));
+    /// Divides what a plane and those below it leave of a face.
+    FaceParts parts_at(int plane, Polygon corners) const {
+        std::vector<SidedCorner> sided;
+        for (const VertexImage& corner : corners) {
+            const int above = level(corner) - 2 * plane;
+            sided.push_back({corner, (above > 0 ? 1 : 0) - (above < 0 ? 1 : 0)});
+        }
+        return face_parts(sided, [&](Polygon on) { return is_shallow(corners) && turns(on); });
+    }
+
+    /// Whether a face is nearly parallel to the planes.
+    bool is_shallow(Polygon corners) const {
+        const Vec3 up = planes_.up();
+        const Vec3 area = area2_of(corners);
+        return area.cross(up).norm() < kShallow * area.norm() * up.norm();
+    }
+
+    /// Whether corners are not on one line: a face that only touches the plane there would have
+    /// triangles in it.
+    bool turns(Polygon corners) const {
+        Vec3 at = complex_.position(corners.back());
+        Vec3 last = at - complex_.position(corners[corners.size() - 2]);
+        return std::any_of(corners.begin(), corners.end(), [&](const VertexImage& corner) {
+            const Vec3 next = complex_.position(corner) - at;
+            const double sine = last.cross(next).norm() / (last.norm() * next.norm());
+            at += next;
+            last = next;
+            return sine > kTurn;
+        });
+    }
+
+    /// Twice the area vector of a polygon.
+    Vec3 area2_of(Polygon corners) const {
+        Vec3 area = Vec3::Zero();
+        const Vec3 first = complex_.position(corners[0]);
+        for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+            area += (complex_.position(corners[k]) - first)
+                        .cross(complex_.position(corners[k + 1]) - first);
+        }
+        return area;
+    }
+
+    void add_part(const CellFace& face, int slab, Polygon corners) {
+        const int here = piece(face.cell, slab);
+        const int there = piece(face.neighbour, slab - along(face.offset));
         add_face({here, there, face.offset}, corners);
     }
 
-    /// Finds where a plane p cuts a face, or touches it along an edge.
-    void find_cut_edge(const CellFace& face, int plane, Polygon corners, const LevelRange& range) {
-        std::vector<VertexImage> on;
-        std::size_t n_ups = 0;
-        VertexImage first_up{};
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-            if (level(corners[k]) != 2 * plane) continue;
-            on.push_back(corners[k]);
-            if (level(corners[(k + 1) % corners.size()]) > 2 * plane) {
-                first_up = corners[k];
-                ++n_ups;
-            }
-        }
-        if (on.size() == 2 && range.low < 2 * plane && range.high > 2 * plane) {
-            // The face of the lower piece runs from where this one rises to where it comes down.
-            is_sound_ &= n_ups == 1;
-            const VertexImage& other = on[0] == first_up ? on[1] : on[0];
-            add_edge(face, plane, first_up, other);
-        } else if (on.size() == 2) {
-            // An edge of a face above belongs to the face of the piece below in reverse.
-            VertexImage from = on[0];
-            VertexImage to = on[1];
-            if (corners.front() == from && corners.back() == to) std::swap(from, to);
-            if (range.low == 2 * plane) std::swap(from, to);
+    /// Adds the edges in a plane of a part of a face, or their reverses.
+    void add_edges(const CellFace& face, int plane, Polygon corners, bool reversed) {
+        for_each_edge_in(plane, corners, [&](VertexImage from, VertexImage to) {
+            if (reversed) std::swap(from, to);
             add_edge(face, plane, from, to);
-        } else {
-            is_sound_ &= on.size() == 1 && (range.low == 2 * plane || range.high == 2 * plane);
+        });
+    }
+
+    template <class Task>
+    void for_each_edge_in(int plane, Polygon corners, const Task& task) {
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const VertexImage& from = corners[k];
+            const VertexImage& to = corners[(k + 1) % corners.size()];
+            if (level(from) == 2 * plane && level(to) == 2 * plane) task(from, to);
         }
+    }
+
+    /// A face in a plane belongs to the piece below of one cell and to that above of the other.
+    void add_face_in_plane(const CellFace& face, int plane, Polygon corners) {
+        const LevelRange& range = ranges_[face.cell];
+        const bool is_below = range.high == 2 * plane ||
+                              (range.low != 2 * plane && planes_.up().dot(area2_of(corners)) > 0);
+        const int below = is_below ? 1 : 0;
+        const int here = piece(face.cell, plane - below);
+        const int there = piece(face.neighbour, plane - 1 + below - along(face.offset));
+        add_face({here, there, face.offset}, corners);
+        // The piece above of the neighbour sees the edges of the piece below.
+        for_each_edge_in(plane, corners, [&](VertexImage from, VertexImage to) {
+            if (!is_below) std::swap(from, to);
+            edges_.push_back({face.cell, plane, from, to});
+            edges_.push_back({face.neighbour,
+                              plane - along(face.offset),
+                              {from.vertex, from.offset - face.offset},
+                              {to.vertex, to.offset - face.offset}});
+        });
     }
 
     /// Adds a face wherever a plane cuts a cell: seen from above, it runs through its edges in
     /// reverse.
     void add_cut_faces() {
-        std::sort(edges_.begin(), edges_.end());
-        edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+        edges_ = boundaries_of(std::move(edges_));
+        std::size_t n_cuts = 0;
         for (std::size_t begin = 0; begin < edges_.size() && is_sound_;) {
             const auto [cell, plane, from, to] = edges_[begin];
             std::size_t end = begin;
@@ -280,24 +277,18 @@ class PlaneCut {
             }
             if (2 * plane > ranges_[cell].low && 2 * plane < ranges_[cell].high) {
                 add_cut_face(std::span(edges_).subspan(begin, end - begin));
+                ++n_cuts;
             }
             begin = end;
         }
+        // Each of the other pieces of a cell has one face to the piece below it.
+        is_sound_ &= n_cuts + complex_.n_cells == piece_cell_.size();
     }
 
     void add_cut_face(std::span<const CutEdge> edges) {
-        std::vector<VertexImage> cycle;
-        VertexImage at = edges[0].from;
-        do {
-            const auto next = std::lower_bound(
-                edges.begin(), edges.end(), at,
-                [](const CutEdge& e, const VertexImage& image) { return e.from < image; });
-            is_sound_ &= next != edges.end() && next->from == at && cycle.size() < edges.size();
-            if (!is_sound_) return;
-            cycle.push_back(at);
-            at = next->to;
-        } while (at != edges[0].from);
-        is_sound_ &= cycle.size() == edges.size();
+        std::vector<VertexImage> cycle = cycle_of(edges);
+        is_sound_ &= !cycle.empty();
+        if (!is_sound_) return;
         std::reverse(cycle.begin(), cycle.end());
         const auto [cell, plane, from, to] = edges[0];
         const int below = piece(cell, plane - 1);
@@ -321,10 +312,10 @@ class PlaneCut {
     }
 
     int axis_;
-    const Vec3& origin_;
     Nearness near_;
     CutCells& cells_;
     CellComplex& complex_;
+    AxisPlanes planes_;
     bool is_sound_ = true;
     /// By the vertices of an edge, the offset of the second, and the plane in the frame of the
     /// first.

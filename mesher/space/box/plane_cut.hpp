@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "mesher/space/box/plane_levels.hpp"
 #include "mesher/space/mesh/cell_complex.hpp"
 
 namespace pcvt::space {
@@ -22,18 +23,10 @@ struct CutCells {
     std::vector<std::array<int, 3>> level = {};
 };
 
-/// How near to a plane vertices lie on it, length units.
-struct Nearness {
-    /// All vertices.
-    double all;
-    /// Vertices whose shortest edge is kEdgeOverSnap times as long, so that no edge vanishes.
-    double snapped = 0;
-};
-inline constexpr double kEdgeOverSnap = 8;
-
 /// Cuts all cells along the planes on which one coordinate is an integer.
 ///
-/// A level is found once for each vertex; all later decisions compare integers. A new vertex is
+/// A level is found once for each vertex; later decisions compare integers, except whether three
+/// or more corners of a face bound a part of it in the plane (face_parts.hpp). A new vertex is
 /// computed once for each edge and plane, so that the two cells at a face, and the two sides of
 /// the box, have the same vertices.
 ///

@@ -7,6 +7,7 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/portable/portable_functions.hpp"
+#include "mesher/space/grains/deepest_point.hpp"
 #include "mesher/space/grains/tetrahedron_shape.hpp"
 
 namespace pcvt::space {
@@ -107,7 +108,17 @@ std::optional<Vec3> kernel_point(const CellHull& hull) {
         x -= step * normals[nearest];
         step *= kShrink;
     }
-    if (!(deepest > kLeastDepth * size)) return std::nullopt;
+    if (deepest > kLeastDepth * size) return best;
+    // The steps are too long in a cell that is thin or slightly bent.
+    std::vector<HalfSpace> inside;
+    double extent = 0;
+    for (std::size_t k = 0; k < normals.size(); ++k) {
+        const Vec3& p = hull.points[hull.triangles[k][0]];
+        inside.push_back({normals[k], dot_product(normals[k], p)});
+        extent = std::max(extent, distance(p, centroid));
+    }
+    best = deepest_point(inside, centroid, extent);
+    if (!(depth(best).first > kLeastDepth * size)) return std::nullopt;
     return best;
 }
 

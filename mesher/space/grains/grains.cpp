@@ -9,6 +9,7 @@
 #include "mesher/base/workers.hpp"
 #include "mesher/space/grains/cell_filling.hpp"
 #include "mesher/space/grains/cell_sizes.hpp"
+#include "mesher/space/grains/face_heights.hpp"
 #include "mesher/space/grains/shared_moves.hpp"
 #include "mesher/space/grains/tetrahedron_shape.hpp"
 
@@ -117,11 +118,31 @@ class GrainFilling {
         std::vector<std::optional<CellTetrahedra>> filled(hulls_.size());
         workers_.for_each(complex_.n_cells,
                           [&](int c) { filled[c] = fill_cell(hulls_[c], sizes_[c]); });
+        fill_smoothed(filled);
         for (int c = 0; c < complex_.n_cells; ++c) {
             if (!filled[c] && complex_.short_edges == 0) throw NarrowFeature(complex_.site_of(c));
             if (!filled[c]) throw FoldedCell(complex_.site_of(c));
             cells_.push_back(std::move(*filled[c]));
         }
+    }
+
+    /// Smooths the faces of cells that could not be filled, and fills the cells at these faces.
+    void fill_smoothed(std::vector<std::optional<CellTetrahedra>>& filled) {
+        std::vector<int> faces;
+        std::vector<char> waits(filled.size(), 0);
+        for (int f = 0; f < complex_.n_faces(); ++f) {
+            const auto& [cell, neighbour, offset] = complex_.faces[f];
+            if (filled[cell] && filled[neighbour]) continue;
+            faces.push_back(f);
+            waits[cell] = waits[neighbour] = 1;
+        }
+        if (faces.empty()) return;
+        smooth_heights(complex_, faces, surface_);
+        hulls_ = cell_hulls(complex_, surface_);
+        mark_features();
+        workers_.for_each(complex_.n_cells, [&](int c) {
+            if (waits[c] != 0) filled[c] = fill_cell(hulls_[c], sizes_[c]);
+        });
     }
 
     void improve() {

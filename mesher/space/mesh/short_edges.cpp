@@ -1,300 +1,136 @@
 #include "mesher/space/mesh/short_edges.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
-#include <tuple>
+#include <utility>
 
 #include "mesher/base/checkpoint.hpp"
-#include "mesher/portable/portable_functions.hpp"
-#include "mesher/space/mesh/polyhedron_graph.hpp"
-#include "mesher/space/mesh/shrunk_face.hpp"
+#include "mesher/base/disjoint_sets.hpp"
+#include "mesher/space/mesh/shrinking_complex.hpp"
 
 namespace pcvt::space {
 namespace {
 
-/// A cell keeps this part of its volume.
-constexpr double kLeastVolume = 0.5;
+/// The longest edges that are removed in groups, a part of h.
+constexpr double kGrouped = 1e-3;
 
-/// Least distance of a cell's centroid from the planes between its site and its neighbours, in
-/// units of the distance between the sites. It exceeds the rounding of positions in files.
-constexpr double kLeastDepth = 1e-6;
+double grouped(const ShrinkingComplex& complex) {
+    return std::min(complex.shortest(), kGrouped * complex.spacing());
+}
 
-/// Corners below this angle must not get sharper, degrees, and how much wider than another one a
-/// corner is at least.
-constexpr double kSharpCorner = 15;
-constexpr double kCornerGain = 1e-6;
-
-/// A diagram that loses edges.
-class ShrinkingComplex {
-   public:
-    ShrinkingComplex(const CellComplex& complex, double shortest, ShrinkRule rule)
-        : complex_(complex),
-          rule_(rule),
-          part_(shortest),
-          shortest_(shortest * portable_cbrt(complex.reduced.volume() / complex.n_cells)),
-          positions_(complex.vertices),
-          moved_(complex.vertices.size(), 0),
-          is_left_(complex.vertices.size(), true),
-          uses_(static_cast<std::size_t>(complex.n_cells)),
-          cells_(complex.vertices.size()) {
-        for (int f = 0; f < complex.n_faces(); ++f) {
-            checkpoint_each(f);
-            const auto corners = complex.corners_of(f);
-            faces_.emplace_back(corners.begin(), corners.end());
-            const CellFace& face = complex.faces[f];
-            uses_[face.cell].push_back({f, false, {}});
-            uses_[face.neighbour].push_back({f, true, -face.offset});
-            for (const VertexImage& corner : corners) {
-                cells_[corner.vertex].push_back(face.cell);
-                cells_[corner.vertex].push_back(face.neighbour);
-            }
-        }
-        for (std::vector<SiteId>& cells : cells_) keep_once(cells);
-        for (const CellBody& body : cell_bodies(complex)) volumes_.push_back(body.volume);
+/// Removes those of some edges that are still short.
+/// @param place  returns the point to which an edge may shrink, if there is any.
+/// @returns whether it has removed an edge.
+template <class Place>
+bool remove_those(const std::vector<ShortEdge>& edges, const Place& place,
+                  ShrinkingComplex& complex) {
+    bool any = false;
+    long n_seen = 0;
+    for (const ShortEdge& edge : edges) {
+        checkpoint_each(n_seen++, 64);
+        if (!complex.is_short(edge)) continue;
+        const std::optional<Vec3> end = place(edge);
+        if (!end) continue;
+        complex.remove(edge, *end);
+        any = true;
     }
+    return any;
+}
 
-    /// Removes those of the edges that are short now that may be removed.
-    /// @returns whether it has removed an edge.
-    bool remove_edges() {
-        bool any = false;
-        long n_seen = 0;
-        for (const ShortEdge& edge : short_edges()) {
-            checkpoint_each(n_seen++, 64);
-            if (!is_left_[edge.from] || !is_left_[edge.to.vertex]) continue;
-            if (!(length(edge) < shortest_)) continue;
-            const std::optional<Vec3> end = place(edge);
-            if (!end) continue;
-            remove(edge, *end);
-            any = true;
-        }
-        return any;
-    }
-
-    CellComplex result() const {
-        CellComplex left{.reduced = complex_.reduced,
-                         .n_cells = complex_.n_cells,
-                         .sites = complex_.sites,
-                         .short_edges = part_};
-        std::vector<int> number(positions_.size());
-        for (std::size_t v = 0; v < positions_.size(); ++v) {
-            number[v] = static_cast<int>(left.vertices.size());
-            if (is_left_[v]) left.vertices.push_back(positions_[v]);
-        }
-        for (std::size_t f = 0; f < faces_.size(); ++f) {
-            if (faces_[f].empty()) continue;
-            left.faces.push_back(complex_.faces[f]);
-            for (const VertexImage& corner : faces_[f]) {
-                left.corners.push_back({number[corner.vertex], corner.offset});
-            }
-            left.begin.push_back(static_cast<int>(left.corners.size()));
-        }
-        return left;
-    }
-
-   private:
-    /// A face of a cell: translated by `shift` it is in the frame of the cell.
-    struct Use {
-        int face;
-        bool reversed;
-        Offset shift;
+/// Removes short edges one by one until none may be removed.
+void remove_edges(ShrinkRule rule, ShrinkingComplex& complex) {
+    const auto place = [&](const ShortEdge& edge) {
+        return rule == ShrinkRule::kMiddle ? complex.middle_of(edge) : complex.widest_of(edge);
     };
+    while (remove_those(complex.edges_below(complex.shortest()), place, complex)) {
+    }
+}
 
-    template <class T>
-    static void keep_once(std::vector<T>& items) {
-        std::sort(items.begin(), items.end());
-        items.erase(std::unique(items.begin(), items.end()), items.end());
+/// Unites the ends of the short edges of a face that would vanish without them.
+void unite_ends(const ShrinkingComplex& complex, int face, DisjointSets& sets) {
+    const std::size_t n = complex.corners_of(face).size();
+    std::vector<int> ends;
+    for (std::size_t k = 0; k < n; ++k) {
+        const ShortEdge edge = complex.edge_of(face, k);
+        if (edge.length < grouped(complex)) ends.push_back(edge.from);
     }
+    if (ends.size() + 3 <= n) return;
+    for (const int end : ends) sets.unite(ends.front(), end);
+}
 
-    Vec3 position(const VertexImage& image) const {
-        return positions_[image.vertex] + complex_.reduced.translation(image.offset);
+/// The ends of edges, ascending, in groups that share a vertex, or a face that vanishes with its
+/// edges.
+std::vector<std::vector<int>> groups_of(const ShrinkingComplex& complex) {
+    const std::vector<ShortEdge> edges = complex.edges_below(grouped(complex));
+    DisjointSets sets(complex.n_vertices());
+    for (const ShortEdge& edge : edges) sets.unite(edge.from, edge.to.vertex);
+    for (int f = 0; f < complex.n_faces(); ++f) unite_ends(complex, f, sets);
+    std::map<int, std::vector<int>> groups;
+    for (const ShortEdge& edge : edges) {
+        std::vector<int>& group = groups[sets.find(edge.from)];
+        group.insert(group.end(), {edge.from, edge.to.vertex});
     }
-    Vec3 middle(const ShortEdge& edge) const {
-        return (positions_[edge.from] + position(edge.to)) / 2;
+    std::vector<std::vector<int>> all;
+    for (auto& [first, group] : groups) {
+        std::sort(group.begin(), group.end());
+        group.erase(std::unique(group.begin(), group.end()), group.end());
+        all.push_back(std::move(group));
     }
-    double length(const ShortEdge& edge) const {
-        return (position(edge.to) - positions_[edge.from]).norm();
-    }
-    /// How far a point of an edge is from the vertices of the diagram that would lie there.
-    double would_move(const ShortEdge& edge, const Vec3& end) const {
-        return std::max((end - positions_[edge.from]).norm() + moved_[edge.from],
-                        (end - position(edge.to)).norm() + moved_[edge.to.vertex]);
-    }
+    return all;
+}
 
-    /// Edges between different vertices, each once, the shortest first.
-    std::vector<ShortEdge> short_edges() const {
-        std::vector<ShortEdge> edges;
-        for (std::size_t f = 0; f < faces_.size(); ++f) {
-            checkpoint_each(static_cast<long>(f));
-            for (std::size_t k = 0; k < faces_[f].size(); ++k) {
-                const VertexImage& a = faces_[f][k];
-                const VertexImage& b = faces_[f][(k + 1) % faces_[f].size()];
-                // The neighbours of the face see the edge the other way round.
-                const bool forwards = a.vertex < b.vertex;
-                if (a.vertex == b.vertex) continue;
-                const auto& [from, to] = forwards ? std::tie(a, b) : std::tie(b, a);
-                ShortEdge edge{0, from.vertex, {to.vertex, to.offset - from.offset}};
-                edge.length = length(edge);
-                if (edge.length < shortest_) edges.push_back(edge);
-            }
-        }
-        const auto key = [](const ShortEdge& e) { return std::tie(e.length, e.from, e.to); };
-        std::sort(edges.begin(), edges.end(),
-                  [&](const ShortEdge& s, const ShortEdge& t) { return key(s) < key(t); });
-        edges.erase(
-            std::unique(edges.begin(), edges.end(),
-                        [&](const ShortEdge& s, const ShortEdge& t) { return key(s) == key(t); }),
-            edges.end());
-        return edges;
+/// Removes the edges of a group unless that leaves a sharp corner.
+void remove_group(const std::vector<int>& vertices, ShrinkingComplex& complex) {
+    const std::vector<int> faces = complex.faces_at(vertices);
+    const ShrinkingComplex::State before = complex.state_of(vertices, faces);
+    const double least = std::min(kSharpCorner, complex.sharpest_of(faces)) - kCornerGain;
+    const auto is_in = [&](int v) {
+        return std::binary_search(vertices.begin(), vertices.end(), v);
+    };
+    const auto middle = [&](const ShortEdge& edge) {
+        const bool belongs = is_in(edge.from) && is_in(edge.to.vertex);
+        return belongs ? complex.middle_of(edge) : std::nullopt;
+    };
+    while (remove_those(complex.edges_below(grouped(complex), faces), middle, complex)) {
     }
+    if (!(complex.sharpest_of(faces) > least)) complex.restore(before);
+}
 
-    std::vector<SiteId> cells_at(const ShortEdge& edge) const {
-        std::vector<SiteId> cells = cells_[edge.from];
-        const std::vector<SiteId>& others = cells_[edge.to.vertex];
-        cells.insert(cells.end(), others.begin(), others.end());
-        keep_once(cells);
-        return cells;
+/// Removes groups of edges of which one alone would make a sharp corner: a tiny face loses one
+/// edge after the other, and a long narrow one those at both of its ends.
+/// @param left  vertices of edges that remain without this: other groups are not removed.
+/// @returns whether there are groups of more than one edge.
+bool remove_groups(const std::vector<char>& left, ShrinkingComplex& complex) {
+    bool any = false;
+    for (const std::vector<int>& group : groups_of(complex)) {
+        checkpoint();
+        const auto is_left = [&](int v) { return left[v] != 0; };
+        if (group.size() < 3 || std::none_of(group.begin(), group.end(), is_left)) continue;
+        remove_group(group, complex);
+        any = true;
     }
-
-    /// The faces that a cell has without an edge, seen from outside, in its frame.
-    std::vector<Corners> faces_without(const ShortEdge& edge, SiteId cell) const {
-        std::vector<Corners> faces;
-        for (const Use& use : uses_[cell]) {
-            Corners corners = shrunk(faces_[use.face], edge);
-            if (corners.size() < 3) continue;
-            for (VertexImage& corner : corners) corner.offset = corner.offset + use.shift;
-            // The first corner stays, so that the fan of the face does.
-            if (use.reversed) std::reverse(corners.begin() + 1, corners.end());
-            faces.push_back(std::move(corners));
-        }
-        return faces;
-    }
-
-    /// The position of a corner when the first end of an edge comes to lie at `end`.
-    Vec3 position_with(const ShortEdge& edge, const Vec3& end, const VertexImage& corner) const {
-        if (corner.vertex != edge.from) return position(corner);
-        return end + complex_.reduced.translation(corner.offset);
-    }
-
-    CellBody body(const std::vector<Corners>& faces, const ShortEdge& edge, const Vec3& end) const {
-        std::vector<Vec3> points;
-        PyramidSum sum(position_with(edge, end, faces[0][0]));
-        for (const Corners& face : faces) {
-            points.clear();
-            for (const VertexImage& corner : face) {
-                points.push_back(position_with(edge, end, corner));
-            }
-            sum.add(points);
-        }
-        return sum.body();
-    }
-
-    /// Whether a centroid is nearer to the site of its cell than to those of all neighbours that
-    /// share a face with the cell when an edge is removed.
-    bool is_on_its_side(const Vec3& centroid, const ShortEdge& edge, SiteId cell) const {
-        const Vec3& site = complex_.sites[cell];
-        return std::all_of(uses_[cell].begin(), uses_[cell].end(), [&](const Use& use) {
-            if (shrunk(faces_[use.face], edge).size() < 3) return true;
-            const CellFace& face = complex_.faces[use.face];
-            const Vec3 to_other =
-                complex_.sites[use.reversed ? face.cell : face.neighbour] +
-                complex_.reduced.translation(use.reversed ? use.shift : face.offset) - site;
-            const double along = (centroid - site).dot(to_other) / to_other.squaredNorm();
-            return along < 0.5 - kLeastDepth;
-        });
-    }
-
-    bool may_remove(const ShortEdge& edge, const Vec3& end) const {
-        if (would_move(edge, end) > shortest_) return false;
-        for (const SiteId cell : cells_at(edge)) {
-            const std::vector<Corners> faces = faces_without(edge, cell);
-            if (!is_polyhedron(faces)) return false;
-            const CellBody left = body(faces, edge, end);
-            if (!(left.volume >= kLeastVolume * volumes_[cell])) return false;
-            if (!is_on_its_side(left.centroid, edge, cell)) return false;
-        }
-        return true;
-    }
-
-    /// The sharpest corner, degrees, of the faces at the ends of an edge: as they are, or where
-    /// the edge has shrunk to a point.
-    double sharpest_at(const ShortEdge& edge, const Vec3* end) const {
-        double sharpest = 180;
-        for (const SiteId cell : cells_at(edge)) {
-            for (const Use& use : uses_[cell]) {
-                const Corners& whole = faces_[use.face];
-                const Corners corners = end == nullptr ? whole : shrunk(whole, edge);
-                if (corners.size() < 3) continue;
-                const auto is_end = [&](const VertexImage& corner) {
-                    return corner.vertex == edge.from || corner.vertex == edge.to.vertex;
-                };
-                if (std::none_of(corners.begin(), corners.end(), is_end)) continue;
-                const auto at = [&](const VertexImage& corner) {
-                    return end == nullptr ? position(corner) : position_with(edge, *end, corner);
-                };
-                sharpest = std::min(sharpest, sharpest_corner(corners, at));
-            }
-        }
-        return sharpest;
-    }
-
-    /// The point to which an edge may shrink, if there is any.
-    std::optional<Vec3> place(const ShortEdge& edge) const {
-        const Vec3 half = middle(edge);
-        if (rule_ == ShrinkRule::kMiddle) {
-            return may_remove(edge, half) ? std::optional<Vec3>(half) : std::nullopt;
-        }
-        std::optional<Vec3> best;
-        double widest = std::min(kSharpCorner, sharpest_at(edge, nullptr) - kCornerGain);
-        for (const Vec3& end : {half, positions_[edge.from], position(edge.to)}) {
-            const double sharpest = sharpest_at(edge, &end);
-            if (!(sharpest > widest + kCornerGain) || !may_remove(edge, end)) continue;
-            widest = sharpest;
-            best = end;
-        }
-        return best;
-    }
-
-    void remove(const ShortEdge& edge, const Vec3& end) {
-        const double moved = would_move(edge, end);
-        const std::vector<SiteId> cells = cells_at(edge);
-        for (const SiteId cell : cells) {
-            for (const Use& use : uses_[cell]) {
-                Corners& face = faces_[use.face];
-                face = shrunk(std::move(face), edge);
-                if (face.size() < 3) face.clear();
-            }
-        }
-        positions_[edge.from] = end;
-        moved_[edge.from] = moved;
-        cells_[edge.from] = cells;
-        is_left_[edge.to.vertex] = false;
-    }
-
-    const CellComplex& complex_;
-    ShrinkRule rule_;
-    double part_;
-    double shortest_;
-    std::vector<Vec3> positions_;
-    /// The largest distance between a vertex and those of the diagram that lie there now.
-    std::vector<double> moved_;
-    std::vector<bool> is_left_;
-    /// A face that has vanished has no corners.
-    std::vector<Corners> faces_;
-    std::vector<std::vector<Use>> uses_;
-    /// The cells round each vertex.
-    std::vector<std::vector<SiteId>> cells_;
-    /// The volumes of the cells of the diagram.
-    std::vector<double> volumes_;
-};
+    return any;
+}
 
 }  // namespace
 
 CellComplex without_short_edges(CellComplex complex, double shortest, ShrinkRule rule) {
     if (shortest == 0) return complex;
-    ShrinkingComplex shrinking(complex, shortest, rule);
-    while (shrinking.remove_edges()) {
+    ShrinkingComplex one_by_one(complex, shortest);
+    remove_edges(rule, one_by_one);
+    std::vector<char> left(complex.vertices.size(), 0);
+    if (rule == ShrinkRule::kWideCorners) {
+        for (const ShortEdge& edge : one_by_one.edges_below(grouped(one_by_one))) {
+            left[edge.from] = left[edge.to.vertex] = 1;
+        }
     }
-    return shrinking.result();
+    if (std::find(left.begin(), left.end(), 1) == left.end()) return one_by_one.result();
+    // Begin again with the groups of which some edges are left.
+    ShrinkingComplex in_groups(complex, shortest);
+    if (!remove_groups(left, in_groups)) return one_by_one.result();
+    remove_edges(rule, in_groups);
+    return in_groups.result();
 }
 
 }  // namespace pcvt::space

@@ -34,6 +34,8 @@ enum class ShrinkRule {
 ///   (3) A vertex moves only if it lies on a removed edge, and by at most `shortest` h.
 ///   (4) With kWideCorners, no face gets a corner below 15 degrees that is sharper than all that
 ///       its neighbourhood had before.
+///       Edges below 0.001 h that each would make such a corner, and together none, are removed
+///       together, and shrink to their middles.
 ///   (5) The cells remain those of their sites (prove_cell_sites()), also where sites form clusters
 ///       whose cells are smaller than `shortest` h.
 ///

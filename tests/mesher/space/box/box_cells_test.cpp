@@ -327,5 +327,69 @@ TEST(SnappedVertices, RemainApartWhereAnEdgeIsShorter) {
     EXPECT_GT(shortest, 1e-11);
 }
 
+/// The least height of a piece above its largest face.
+double thinnest(const CellComplex& pieces) {
+    std::vector<double> area(static_cast<std::size_t>(pieces.n_cells), 0);
+    for (int f = 0; f < pieces.n_faces(); ++f) {
+        const auto corners = pieces.corners_of(f);
+        Vec3 twice = Vec3::Zero();
+        const Vec3 first = pieces.position(corners[0]);
+        for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+            twice += (pieces.position(corners[k]) - first)
+                         .cross(pieces.position(corners[k + 1]) - first);
+        }
+        for (const SiteId cell : {pieces.faces[f].cell, pieces.faces[f].neighbour}) {
+            area[cell] = std::max(area[cell], twice.norm() / 2);
+        }
+    }
+    double thinnest = 1;
+    const std::vector<CellBody> bodies = cell_bodies(pieces);
+    for (int c = 0; c < pieces.n_cells; ++c) {
+        thinnest = std::min(thinnest, bodies[c].volume / area[c]);
+    }
+    return thinnest;
+}
+
+/// Sides through square faces of truncated octahedra of which some corners are too far to be
+/// snapped: the part between the others lies in the side.
+TEST(SnappedVertices, CutFacesThatHaveOtherCorners) {
+    const Lattice cube = Lattice::box(1, 1, 1);
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        SCOPED_TRACE(seed);
+        const double h = std::cbrt(1.0 / 16);
+        Points points = 1.6e-4 * h * uniform_points(cube, 16, seed);
+        for (int k = 0; k < 16; ++k) {
+            points.col(k) +=
+                Vec3(k & 1, k >> 1 & 1, k >> 2 & 1) / 2 + Vec3::Constant((k >> 3) / 4.0);
+        }
+        const PeriodicDelaunay delaunay = periodic_delaunay(Sites(cube, points));
+        const CellComplex cells = cell_complex(delaunay.sites, delaunay.tetrahedra);
+        for (const Vec3& origin : {cells.sites[3], cells.vertices[0]}) {
+            const CellComplex pieces =
+                cells_in_box(delaunay.sites, cells, origin, kSnappedVertices);
+            EXPECT_EQ(euler(pieces), 0);
+            EXPECT_GT(thinnest(pieces), 3e-5 * h);
+        }
+    }
+}
+
+/// A side through whole faces of cubes whose edges have inner vertices.
+TEST(SnappedVertices, TouchFacesAlongSeveralEdges) {
+    const Lattice cube = Lattice::box(1, 1, 1);
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+        SCOPED_TRACE(seed);
+        Points points = 1e-6 * uniform_points(cube, 27, seed);
+        for (int k = 0; k < 27; ++k) points.col(k) += Vec3(k % 3, k / 3 % 3, k / 9) / 3;
+        const PeriodicDelaunay delaunay = periodic_delaunay(Sites(cube, points));
+        const CellComplex cells = without_short_edges(
+            cell_complex(delaunay.sites, delaunay.tetrahedra), 1e-3, ShrinkRule::kWideCorners);
+        ASSERT_GT(cells.vertices.size(), 27U);
+        const CellComplex pieces =
+            cells_in_box(delaunay.sites, cells, Vec3(1, 1, 1) / 6, kSnappedVertices);
+        EXPECT_EQ(euler(pieces), 0);
+        EXPECT_EQ(pieces.n_cells, 27);
+    }
+}
+
 }  // namespace
 }  // namespace pcvt::space

@@ -8,6 +8,8 @@
 
 #include "mesher/space/box/box_cells.hpp"
 #include "mesher/space/grains/cell_hull.hpp"
+#include "mesher/space/grains/cell_sizes.hpp"
+#include "mesher/space/grains/face_heights.hpp"
 #include "mesher/space/grains/grains.hpp"
 #include "mesher/space/grains/tetrahedron_shape.hpp"
 #include "mesher/space/proof/tetrahedral_proof.hpp"
@@ -198,6 +200,77 @@ TEST(KernelPoint, IsNotFoundInAFoldedHull) {
     EXPECT_TRUE(kernel_point(hull).has_value());
     hull.points[7] = Vec3(-1, -1, -1);
     EXPECT_FALSE(kernel_point(hull).has_value());
+}
+
+/// Heights that are linear on the boundary are so inside: the nodes of plane faces return to them.
+TEST(SmoothHeights, PutNodesBackIntoPlaneFaces) {
+    const testing::SpaceCase c{"", Lattice::box(1, 1, 1),
+                               uniform_points(Lattice::box(1, 1, 1), 9, 4)};
+    const CellComplex complex = testing::complex_of(c);
+    const GrainSurface surface = surface_of(complex);
+    GrainSurface moved = surface;
+    std::vector<int> faces;
+    for (int f = 0; f < complex.n_faces(); f += 2) faces.push_back(f);
+    int n_moved = 0;
+    for (SurfaceNode& node : moved.nodes) {
+        if (node.dimension != 2) continue;
+        node.position += 0.01 * face_plane(complex, node.carrier).normal;
+        n_moved += node.carrier % 2 == 0 ? 1 : 0;
+    }
+    smooth_heights(complex, faces, moved);
+    for (std::size_t v = 0; v < moved.nodes.size(); ++v) {
+        const SurfaceNode& node = moved.nodes[v];
+        const double apart = distance(node.position, surface.nodes[v].position);
+        EXPECT_NEAR(apart, node.dimension == 2 && node.carrier % 2 == 1 ? 0.01 : 0, 1e-12);
+    }
+    EXPECT_GT(n_moved, 10);
+}
+
+/// A thin prism over an L, whose arms are seen from their common corner only.
+TEST(KernelPoint, IsFoundInAThinCell) {
+    const std::vector<Vec3> corners{{0, 0, 0}, {5, 0, 0}, {5, 1, 0},
+                                    {1, 1, 0}, {1, 5, 0}, {0, 5, 0}};
+    const int n = static_cast<int>(corners.size());
+    for (const double thickness : {0.1, 1e-3, 1e-5}) {
+        CellHull hull;
+        for (const double z : {0.0, thickness}) {
+            for (const Vec3& corner : corners) hull.points.emplace_back(corner + Vec3(0, 0, z));
+        }
+        for (int k = 0; k < n; ++k) {
+            const int next = (k + 1) % n;
+            hull.triangles.insert(hull.triangles.end(),
+                                  {{k, next, next + n}, {k, next + n, k + n}});
+            if (k < 1 || next == 0) continue;
+            hull.triangles.insert(hull.triangles.end(), {{0, next, k}, {n, k + n, next + n}});
+        }
+        const std::optional<Vec3> point = kernel_point(hull);
+        ASSERT_TRUE(point.has_value()) << thickness;
+        for (const auto& [a, b, c] : hull.triangles) {
+            EXPECT_GT(volume6(*point, hull.points[a], hull.points[b], hull.points[c]), 0);
+        }
+    }
+}
+
+/// Sides of a box that pass through square faces of truncated octahedra up to 0.001 leave wedges
+/// that share two short edges with a face beside them.
+TEST(KernelPoint, IsFoundInAllPiecesOfABox) {
+    const Lattice cube = Lattice::box(1, 1, 1);
+    for (const auto& [seed, moved, corner] : {std::tuple(3, 1e-3, 1), std::tuple(22, 5e-4, 2)}) {
+        Points points = moved * uniform_points(cube, 16, static_cast<std::uint64_t>(seed));
+        for (int k = 0; k < 16; ++k) {
+            const int m = k / 2;
+            points.col(k) += Vec3(m & 1, m >> 1 & 1, m >> 2) / 2 + Vec3::Constant(k % 2 / 4.0);
+        }
+        const Sites sites(cube, points);
+        const CellComplex cells = testing::complex_of({"", cube, points});
+        const CellComplex pieces =
+            cells_in_box(sites, cells, cells.vertices[corner], kSnappedVertices);
+        Workers workers(1);
+        const std::vector<double> sizes = cell_sizes(pieces, 0.7 * sites.spacing()).sizes;
+        for (const CellHull& hull : cell_hulls(pieces, grain_surface(pieces, sizes, workers))) {
+            EXPECT_TRUE(kernel_point(hull).has_value());
+        }
+    }
 }
 
 }  // namespace

@@ -223,6 +223,30 @@ TEST(ShortSpaceEdges, MakeNoSharperCornerWithTheRuleForGrains) {
     EXPECT_GT(n_removed, 100);
 }
 
+/// Vertices of six or eight cells that fall apart where sites of a lattice move a little: one edge
+/// after the other would leave corners of tiny and of long narrow faces that are ever sharper.
+TEST(ShortSpaceEdges, VanishInGroupsWithTheRuleForGrains) {
+    const Lattice cube = Lattice::box(1, 1, 1);
+    for (const int kind : {0, 1}) {
+        for (const double moved : {1e-5, 1e-7}) {
+            SCOPED_TRACE(std::to_string(kind) + ", " + std::to_string(moved));
+            Points points = 0.5 * uniform_points(cube, kind == 0 ? 8 : 32, 5) * moved;
+            for (int k = 0; k < points.cols(); ++k) {
+                points.col(k) += Vec3(k & 1, k >> 1 & 1, k >> 2 & 1) / 2;
+                // A face-centred lattice.
+                const int b = k >> 3;
+                if (b > 0) points.col(k) += Vec3(b != 3, b != 2, b != 1) / 4;
+            }
+            const CellComplex complex = complex_of({"", cube, points});
+            ASSERT_LT(shortest_edge(complex), moved);
+            const CellComplex left = without_short_edges(complex, 1e-3, ShrinkRule::kWideCorners);
+            EXPECT_GE(shortest_edge(left), 1e-3 * spacing(complex));
+            EXPECT_GT(sharpest_corner(left), 45);
+            EXPECT_NO_THROW(prove_polyhedra(polyhedral_mesh(Sites(cube, points), left)));
+        }
+    }
+}
+
 /// Law (5).
 TEST(ShortSpaceEdges, LeaveTheCellsOfClustersOnTheirSides) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
