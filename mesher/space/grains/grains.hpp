@@ -46,7 +46,8 @@ class NarrowFeature : public LimitExceeded {
     explicit NarrowFeature(SiteId site)
         : LimitExceeded("the cell of site " + std::to_string(site) +
                         " has a face so narrow that a tetrahedron beside it would be flat; remove "
-                        "short edges, move the site, or move the origin of the box") {}
+                        "short edges if the volumes need not be exact, move the site, or move the "
+                        "origin of the box") {}
 };
 
 /// Fills each cell with tetrahedra: triangulates each face once (grain_surface.hpp), fills the
