@@ -79,16 +79,22 @@ void print_functions() {
     }
 }
 
-void print_evaluations() {
-    const plane::Lattice lattice = plane::Lattice::rectangle(4, 1);
-    const plane::Density density = expression_density(kDensity);
-    Workers workers(1);
+/// The triangulation of sites that an optimisation has spread by a density.
+plane::MovingDelaunay graded_delaunay(const plane::Lattice& lattice,
+                                      const plane::Density& density) {
     plane::CvtOptions options;
     options.run.max_iterations = 100;
     options.density = density;
     const plane::CvtResult start =
         compute_cvt(lattice, graded_points(lattice, density, kSites, 1), options);
-    plane::MovingDelaunay delaunay(start.delaunay.sites());
+    return plane::MovingDelaunay(start.delaunay.sites());
+}
+
+void print_evaluations() {
+    const plane::Lattice lattice = plane::Lattice::rectangle(4, 1);
+    const plane::Density density = expression_density(kDensity);
+    Workers workers(1);
+    plane::MovingDelaunay delaunay = graded_delaunay(lattice, density);
     plane::DensityPass pass(delaunay, workers, lattice, density, 1);
     plane::EnergyPass uniform_pass(delaunay, workers);
     Energy energy;
@@ -139,12 +145,7 @@ void print_picture() {
     const plane::Density density =
         plane::pixel_density({kPixels, kPixels, std::move(greys), 0.01, 1});
     Workers workers(1);
-    plane::CvtOptions options;
-    options.run.max_iterations = 20;
-    options.density = density;
-    const plane::CvtResult start =
-        compute_cvt(lattice, graded_points(lattice, density, kSites, 1), options);
-    plane::MovingDelaunay delaunay(start.delaunay.sites());
+    plane::MovingDelaunay delaunay = graded_delaunay(lattice, density);
     plane::DensityPass pass(delaunay, workers, lattice, density, 1);
     Energy energy;
     double least = 1;

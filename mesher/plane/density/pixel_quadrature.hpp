@@ -34,13 +34,14 @@ struct SegmentBlock {
 /// Integrates the density of a picture over cells, exactly up to rounding.
 ///
 /// By Green's theorem the moments are a sum over the sides of the cell. The lines of the grid cut
-/// the sides into segments, each in one square. A segment stands for the region between itself and
-/// the *base* of its column, a horizontal line that lies in the cell wherever one does: a part of
-/// the segment's own square, and all squares of the column from there to the base. The first part
-/// is a polynomial, integrated by a Gauss rule; kLanes segments are processed together. The squares
-/// need the integrals of the density along the two lines beside them, which PixelGrid returns, and
-/// six integrals over segments. Time and memory are proportional to the squares that the outline of
-/// the cell crosses, and time to a sixteenth of the others.
+/// each side into segments, one in each square that the side crosses. A segment contributes the
+/// integral over the region between it and the *base* of its column, a horizontal line that lies in
+/// the cell wherever one does. That region is a part of the segment's own square, and all squares
+/// of the column from there to the base. Over the first part the density is a polynomial, which a
+/// Gauss rule integrates; kLanes segments are processed together. The squares need the integrals of
+/// the density along the two lines beside them, which PixelGrid returns, and six integrals over
+/// segments. Time and memory are proportional to the number of squares that the outline of the cell
+/// crosses; another square takes a sixteenth of the time.
 ///
 /// Example usage:
 ///

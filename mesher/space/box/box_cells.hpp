@@ -37,10 +37,10 @@ inline constexpr double kSnappedVertices = 1e-4;
 ///
 /// @param complex  of these sites, also without its short edges.
 /// @param origin   the corner of the box, length units.
-/// @param snapped  vertices nearer to a side than this part of h are moved to it, except where that
-///                 makes an edge or a face vanish (Nearness::snapped); faces bend by as much, and
-///                 law (3) holds up to it. A face of which only some corners are that near may get
-///                 a part in the side.
+/// @param snapped  vertices nearer to a side than this part of h are moved to it, except where an
+///                 edge or a whole face would almost vanish (Nearness::snapped); faces bend by as
+///                 much, and law (3) holds up to it. A face of which only some corners are that
+///                 near may get a part in the side.
 /// @throws UncutCells  naming the side of the box.
 CellComplex cells_in_box(const Sites& sites, const CellComplex& complex, const Vec3& origin,
                          double snapped = 0);

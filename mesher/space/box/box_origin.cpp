@@ -12,6 +12,8 @@
 
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/portable/portable_angles.hpp"
+#include "mesher/space/box/plane_levels.hpp"
+#include "mesher/space/mesh/vector_area.hpp"
 
 namespace pcvt::space {
 namespace {
@@ -24,14 +26,10 @@ constexpr int kManyPositions = 1000;
 constexpr double kEqual = 1e-6;
 
 double dot(const Vec3& a, const Vec3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
-Vec3 cross(const Vec3& a, const Vec3& b) {
-    return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(),
-            a.x() * b.y() - a.y() * b.x()};
-}
 
 /// The angle between two vectors, degrees.
 double degrees(const Vec3& a, const Vec3& b) {
-    const Vec3 normal = cross(a, b);
+    const Vec3 normal = a.cross(b);
     return portable_atan2(std::sqrt(dot(normal, normal)), dot(a, b)) * 180 / std::numbers::pi;
 }
 
@@ -68,9 +66,7 @@ class FaceSections {
    public:
     FaceSections(const Sites& sites, const CellComplex& complex, int axis)
         : complex_(complex), lattice_(sites.lattice()), reduction_(sites.reduction()), axis_(axis) {
-        const auto& periods = lattice_.periods();
-        up_ = cross(periods[(axis + 1) % 3], periods[(axis + 2) % 3]);
-        if (!lattice_.right_handed()) up_ = -up_;
+        up_ = upwards(lattice_, axis);
         for (const Vec3& vertex : complex.vertices) {
             heights_.push_back(lattice_.to_lattice(vertex)[axis]);
             wrapped_.push_back(heights_.back() - std::floor(heights_.back()));
@@ -157,13 +153,8 @@ class FaceSections {
     }
 
     Vec3 normal(int f) const {
-        const std::span<const FaceCorner> corners = corners_of(f);
-        const Vec3& first = corners[0].position;
-        Vec3 area = Vec3::Zero();
-        for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-            area += cross(corners[k].position - first, corners[k + 1].position - first);
-        }
-        return area;
+        return twice_vector_area(corners_of(f),
+                                 [](const FaceCorner& corner) { return corner.position; });
     }
 
     const CellComplex& complex_;

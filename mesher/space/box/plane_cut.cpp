@@ -11,6 +11,7 @@
 #include "mesher/base/checkpoint.hpp"
 #include "mesher/space/box/cut_edges.hpp"
 #include "mesher/space/box/face_parts.hpp"
+#include "mesher/space/mesh/vector_area.hpp"
 
 namespace pcvt::space {
 namespace {
@@ -210,15 +211,9 @@ class PlaneCut {
         });
     }
 
-    /// Twice the area vector of a polygon.
     Vec3 area2_of(Polygon corners) const {
-        Vec3 area = Vec3::Zero();
-        const Vec3 first = complex_.position(corners[0]);
-        for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-            area += (complex_.position(corners[k]) - first)
-                        .cross(complex_.position(corners[k + 1]) - first);
-        }
-        return area;
+        return twice_vector_area(
+            corners, [&](const VertexImage& corner) { return complex_.position(corner); });
     }
 
     void add_part(const CellFace& face, int slab, Polygon corners) {

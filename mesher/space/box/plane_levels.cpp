@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "mesher/space/mesh/vector_area.hpp"
+
 namespace pcvt::space {
 namespace {
 
@@ -71,15 +73,10 @@ class Snapping {
     void visit_face(std::span<const VertexImage> corners) {
         const auto is_near = [&](const VertexImage& v) { return is_near_[v.vertex] != 0; };
         if (!std::all_of(corners.begin(), corners.end(), is_near)) return;
-        Vec3 before = Vec3::Zero();
-        Vec3 after = Vec3::Zero();
-        for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-            const auto triangle = [&](const auto& at) {
-                return (at(corners[k]) - at(corners[0])).cross(at(corners[k + 1]) - at(corners[0]));
-            };
-            before += triangle([&](const VertexImage& v) { return complex_.position(v); });
-            after += triangle([&](const VertexImage& v) { return snapped(v); });
-        }
+        const Vec3 before = twice_vector_area(
+            corners, [&](const VertexImage& corner) { return complex_.position(corner); });
+        const Vec3 after =
+            twice_vector_area(corners, [&](const VertexImage& corner) { return snapped(corner); });
         if (after.dot(before) >= kVanishes * before.squaredNorm()) return;
         for (const VertexImage& corner : corners) is_held_[corner.vertex] = 1;
     }
@@ -95,10 +92,10 @@ class Snapping {
 
 }  // namespace
 
-Vec3 AxisPlanes::up() const {
-    const auto& periods = lattice_.periods();
-    const Vec3 normal = periods[(axis_ + 1) % 3].cross(periods[(axis_ + 2) % 3]);
-    return lattice_.right_handed() ? normal : Vec3(-normal);
+Vec3 upwards(const Lattice& lattice, int axis) {
+    const auto& periods = lattice.periods();
+    const Vec3 normal = periods[(axis + 1) % 3].cross(periods[(axis + 2) % 3]);
+    return lattice.right_handed() ? normal : Vec3(-normal);
 }
 
 std::vector<int> put_on_planes(const AxisPlanes& planes, const Nearness& near,

@@ -9,6 +9,10 @@
 
 namespace pcvt::space {
 
+/// Returns a normal of the planes on which a coordinate of lattice.to_lattice(position) is an
+/// integer, towards larger coordinates.
+Vec3 upwards(const Lattice& lattice, int axis);
+
 /// The parallel planes on which one coordinate of u = lattice.to_lattice(position - origin) is an
 /// integer.
 class AxisPlanes {
@@ -25,8 +29,7 @@ class AxisPlanes {
     double spacing() const { return lattice_.heights()[axis_]; }
     /// Moves a point along the period vector.
     void put_on(int plane, Vec3& p) const { p += (plane - height(p)) * lattice_.periods()[axis_]; }
-    /// A vector upwards, normal to the planes.
-    Vec3 up() const;
+    Vec3 up() const { return upwards(lattice_, axis_); }
 
    private:
     const Lattice& lattice_;

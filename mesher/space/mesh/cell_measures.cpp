@@ -5,20 +5,15 @@
 #include <utility>
 
 #include "mesher/base/checkpoint.hpp"
+#include "mesher/space/mesh/vector_area.hpp"
 
 namespace pcvt::space {
 namespace {
 
 /// The area of a plane face, length^2.
 double face_area(const CellComplex& complex, int f) {
-    const auto corners = complex.corners_of(f);
-    const Vec3 first = complex.position(corners[0]);
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-        const Vec3 a = complex.position(corners[k]) - first;
-        const Vec3 b = complex.position(corners[k + 1]) - first;
-        sum += a.cross(b);
-    }
+    const Vec3 sum = twice_vector_area(
+        complex.corners_of(f), [&](const VertexImage& corner) { return complex.position(corner); });
     // Files state areas, and Eigen's norm() adds in another order on other platforms.
     return std::sqrt(sum.x() * sum.x() + sum.y() * sum.y() + sum.z() * sum.z()) / 2;
 }
