@@ -93,5 +93,24 @@ TEST(PutOnPlanes, KeepsBothEndsOfShortEdges) {
     EXPECT_GT(n_kept, 10);
 }
 
+/// A small square with corners up to 0.9 of the distance from the planes: normal to them, it would
+/// become a line, though its edges keep 0.7 of their lengths; along them, it is snapped.
+TEST(PutOnPlanes, KeepsFacesThatWouldBecomeLines) {
+    const Lattice cube = Lattice::box(1, 1, 1);
+    const double a = 0.45 * kSnapped;
+    CellComplex before{.reduced = cube, .n_cells = 1};
+    before.vertices = {{0, 0.5, 0.5}, {a, 0.5 - a, 0.5}, {2 * a, 0.5, 0.5}, {a, 0.5 + a, 0.5}};
+    before.faces = {{0, 0, {}}};
+    before.begin = {0, 4};
+    for (int v = 0; v < 4; ++v) before.corners.push_back({v, {}});
+    CellComplex across = before;
+    put_on_planes(AxisPlanes(cube, 0, Vec3::Zero()), kNear, across);
+    EXPECT_EQ(across.vertices, before.vertices);
+    CellComplex along = before;
+    const Vec3 below(0, 0, 0.5 - 0.9 * kSnapped);
+    put_on_planes(AxisPlanes(cube, 2, below), kNear, along);
+    for (const Vec3& vertex : along.vertices) EXPECT_NEAR(vertex.z(), below.z(), 1e-15);
+}
+
 }  // namespace
 }  // namespace pcvt::space
